@@ -22,5 +22,5 @@ export default defineConfig({
     },
   },
   // a busy machine may take long
-  test: { testTimeout: 60_000, include: ["src/**/*.test.ts", "embed.test.ts", "schema_comments.test.ts"] },
+  test: { testTimeout: 60_000, include: ["src/**/*.test.ts", "embed.test.ts", "schema.test.ts"] },
 });

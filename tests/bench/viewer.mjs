@@ -6,79 +6,24 @@ import { join } from "node:path";
 import { framesOf } from "../e2e/frames.mjs";
 import { decode } from "../e2e/live.mjs";
 import { readStreamed } from "../e2e/mcap.mjs";
-import { require } from "../e2e/support.mjs";
-import { atEnd, command, scratch, sleep, start } from "./programs.mjs";
+import { drawn, openBrowser, openPage, quantile, state } from "./pages.mjs";
+import { command, scratch, sleep, start } from "./programs.mjs";
 import { Report } from "./report.mjs";
-
-const { chromium } = require("playwright-core");
+import { recordGame, whole } from "./viewer_whole.mjs";
 
 const kSeeks = 60;
 const kFourRobots = ["14/2", "14/3", "14/4", "14/5"];
+const kLayers = "belief,uncertainty,view,intent,team,trail,names,everyone";
 // the views of four robots; all objects of the first robot come in every view
 const kViews = {
   camera: "camera",
   "8 plots": `plot?plot=${kFourRobots.flatMap((robot) => [`/${robot}/ball.x`, `/${robot}/pose.x`]).join("%20")}`,
-  field: "field?layers=belief,uncertainty,view,intent,team,trail,names,everyone",
+  field: `field?layers=${kLayers}`,
+  "four panes with raw pictures, field, plot and decision": `camera?panes=row(col(camera,field),col(plot,decision))&2.layers=${kLayers}&3.plot=ball.x%20ball.y%20pose.x`,
 };
-
-const quantile = (values, part) =>
-  [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
-const state = ["--port", 0, "--state-dir", join(scratch, "state")];
-
-/** A simulated game of two teams of five, `minutes` long, as one recording of all beliefs and actions of its robots. */
-async function recordGame(minutes) {
-  const game = join(scratch, "game.mcap");
-  const rules = `spl2025:5,halves=1,half_duration=${60 * minutes}`;
-  await start("foresight-sim", ["match", "--rules", rules, "--mcap", game]).output;
-  return game;
-}
-
-async function openBrowser() {
-  const executablePath = command("which", "chromium").trim();
-  const browser = await chromium.launch({
-    executablePath,
-    args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"],
-  });
-  atEnd(() => browser.close());
-  return browser;
-}
-
-/** A page that keeps the time of each topic's last message since the last didSeek [ms of our clock]. */
-async function openPage(browser, url) {
-  const page = await (await browser.newContext({ viewport: { width: 1280, height: 800 } })).newPage();
-  const seen = { messages: 0, sought: 0, first: new Map(), subscribed: new Map(), topics: new Map(), state: undefined };
-  page.on("websocket", (socket) => {
-    socket.on("framesent", ({ payload }) => {
-      const text = typeof payload === "string" ? payload : "";
-      if (!text.includes('"op":"subscribe"') && !text.includes('"op":"unsubscribe"')) return;
-      const message = JSON.parse(text);
-      for (const { id, channelId } of message.subscriptions ?? []) seen.subscribed.set(id, channelId);
-      for (const id of message.subscriptionIds ?? []) seen.subscribed.delete(id);
-    });
-    socket.on("framereceived", ({ payload }) => {
-      if (typeof payload === "string") {
-        const message = payload.includes('"op":"advertise"') ? JSON.parse(payload) : {};
-        for (const { id, topic } of message.channels ?? []) seen.topics.set(id, topic);
-        return;
-      }
-      if (payload[0] === 5 && payload[14] === 1) {
-        seen.sought = performance.now();
-        seen.first.clear();
-      } else if (payload[0] === 1) {
-        ++seen.messages;
-        const id = payload.readUInt32LE(1);
-        if (!seen.first.has(id)) seen.first.set(id, performance.now());
-      }
-    });
-  });
-  await page.goto(url);
-  return { page, seen };
-}
 
 const stands = (page) => page.getByRole("button", { name: "Go on" }).waitFor();
 const momentOf = (page) => BigInt(/[?&]at=(\d+)/.exec(page.url())?.[1] ?? 0);
-const drawn = (page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
 
 async function seeks(report, browser, session) {
   const lab = start("foresight-lab", ["play", session, ...state]);
@@ -123,7 +68,8 @@ async function fluid(report, browser, seconds) {
     await start("foresight-lab", ["synthesize", session, "--robot", kFourRobots[i], "--seconds", 30]).output;
   const lab = start("foresight-lab", ["play", ...sessions, "--loop", ...state]);
   for (const [name, view] of Object.entries(kViews)) {
-    const { page, seen } = await openPage(browser, `${await lab.address}/#/14/2/${view}`);
+    const pictures = name.includes("raw pictures") ? "full" : "light";
+    const { page, seen } = await openPage(browser, `${await lab.address}/#/14/2/${view}`, { picture: pictures });
     await sleep(5);
     const [before, began] = [seen.messages, performance.now()];
     report.figure(
@@ -293,7 +239,9 @@ export async function viewer({ minutes = 30, seconds = 30, probes = 1000, length
   if (seconds > 0) await fluid(report, browser, seconds);
   if (seconds > 0) await live(report, browser, { minutes, seconds });
   if (large > 0) await opens(report, browser, large);
-  if (length > 0) await seeks(report, browser, await recordGame(length));
+  const game = length > 0 ? await recordGame(length) : undefined;
+  if (game) await whole(report, browser, game);
+  if (game) await seeks(report, browser, game);
   if (probes > 0) await exact(report, browser, probes);
   await browser.close();
   return report.finish();

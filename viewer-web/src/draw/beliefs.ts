@@ -1,8 +1,21 @@
 // One robot's beliefs and intentions, in the frame `field`.
 
 import type { Memory } from "../memory/memory";
-import type { MemoryObject, RobotName } from "../memory/memory_object";
-import { fieldsOf, listOf, numberOf, textOf, type Fields, type Value } from "../memory/value";
+import { valueOf, type MemoryObject, type RobotName } from "../memory/memory_object";
+import { isTurned } from "../memory/places";
+import type {
+  Ball,
+  CameraMatrix,
+  Joints,
+  Kick,
+  MotionCommand,
+  Opponents,
+  Pose as PoseMessage,
+  RobotObject,
+  Team,
+  WalkTo,
+} from "../memory/schema";
+import { fieldsOf, listOf, numberOf, textOf, type Fields, type NumberIn, type Value } from "../memory/value";
 import type { Ellipse, Point } from "./field";
 
 export interface Pose extends Point {
@@ -61,7 +74,7 @@ export interface Beliefs {
 }
 
 /** The objects that are read. */
-export const kBeliefs = [
+export const kBeliefs: readonly RobotObject[] = [
   "pose",
   "ball",
   "game",
@@ -77,21 +90,22 @@ const kForgotten = 10; // [s] an older belief is not shown
 const kHalfView = 0.53; // [rad] of the Nao's cameras, 61° in all (Aldebaran's documentation); a camera matrix has precedence
 const kKickLength = 1; // [m] of an arrow if the command has no distance
 
-export const valueOf = (object: MemoryObject | undefined): Fields => object?.decoded()?.fields ?? new Map();
+export const pointOf = (fields: Fields<{ x?: number; y?: number }>): Point | undefined => pointIn(fields, "x", "y");
 
-export function pointOf(fields: Fields, x = "x", y = "y"): Point | undefined {
+/** Returns the point in two fields with other names than x and y. */
+export function pointIn<M>(fields: Fields<M>, x: NumberIn<M>, y: NumberIn<M>): Point | undefined {
   const point = { x: numberOf(fields, x), y: numberOf(fields, y) };
   return Number.isFinite(point.x) && Number.isFinite(point.y) ? point : undefined;
 }
 
 export function beliefsOf(memory: Memory, name: RobotName, now: number): Beliefs {
-  const object = (what: string) => memory.get(`/${name}/${what}`);
-  const age = (what: string) => object(what)?.shown && (memory.age(object(what)!, now) ?? 0);
-  const turned = valueOf(object("game")).get("attacks_positive_x") === false;
+  const object = <Name extends RobotObject>(what: Name) => memory.of(name, what);
+  const age = (what: RobotObject) => object(what)?.shown && (memory.age(object(what)!, now) ?? 0);
+  const turned = isTurned(valueOf(object("game")));
   const pose = poseOf(valueOf(object("pose")), age("pose"), turned);
   const command = valueOf(object("motion_command"));
   const current = (age("motion_command") ?? Infinity) < 1;
-  const decision = (age("decision") ?? Infinity) < 1 ? valueOf(object("decision")) : new Map();
+  const decision = valueOf((age("decision") ?? Infinity) < 1 ? object("decision") : undefined);
   const ball = pose && ballOf(object("ball"), pose, age("ball"));
   return {
     pose,
@@ -107,7 +121,10 @@ export function beliefsOf(memory: Memory, name: RobotName, now: number): Beliefs
 }
 
 /** Converts from `team_field`. It is `field`, turned by π if the own team attacks towards -x. */
-export function inField(fields: Fields, turned: boolean): Pose | undefined {
+export function inField(
+  fields: Fields<{ x?: number; y?: number; heading?: number }>,
+  turned: boolean,
+): Pose | undefined {
   const point = pointOf(fields);
   const sign = turned ? -1 : 1;
   return (
@@ -115,7 +132,7 @@ export function inField(fields: Fields, turned: boolean): Pose | undefined {
   );
 }
 
-function poseOf(fields: Fields, age: number | undefined, turned: boolean): PoseBelief | undefined {
+function poseOf(fields: Fields<PoseMessage>, age: number | undefined, turned: boolean): PoseBelief | undefined {
   const pose = inField(fields, turned);
   if (!pose || age === undefined || age > kForgotten) return undefined;
   const [a, b] = [numberOf(fields, "deviation_x") || 0, numberOf(fields, "deviation_y") || 0];
@@ -135,7 +152,11 @@ const seenFrom = ({ x, y, heading }: Pose, seen: Point): Point => ({
 });
 
 /** Returns the ball relative to the robot's believed pose. The errors of both add up, as in its decisions. */
-function ballOf(object: MemoryObject | undefined, pose: Pose, writtenAge: number | undefined): BallBelief | undefined {
+function ballOf(
+  object: MemoryObject<Ball> | undefined,
+  pose: Pose,
+  writtenAge: number | undefined,
+): BallBelief | undefined {
   const fields = valueOf(object);
   const seen = pointOf(fields);
   const seen_ns = fields.get("seen_ns");
@@ -143,7 +164,7 @@ function ballOf(object: MemoryObject | undefined, pose: Pose, writtenAge: number
   const age = Number(object.shown.log_ns - seen_ns) / 1e9 + (writtenAge ?? 0);
   if (age > 3 * kForgotten) return undefined;
   const deviation = numberOf(fields, "deviation");
-  const ground = pointOf(fields, "velocity_x", "velocity_y") ?? { x: 0, y: 0 };
+  const ground = pointIn(fields, "velocity_x", "velocity_y") ?? { x: 0, y: 0 };
   return {
     ...seenFrom(pose, seen),
     age,
@@ -154,8 +175,8 @@ function ballOf(object: MemoryObject | undefined, pose: Pose, writtenAge: number
 }
 
 /** Returns the half axes of a covariance, turned with the robot. Without a covariance it is a circle of `deviation`. */
-export function ellipseOf(fields: Fields, deviation: number, heading: number): Ellipse {
-  const [xx, xy, yy] = ["xx", "xy", "yy"].map((name) => numberOf(fields, `covariance_${name}`)) as [
+export function ellipseOf(fields: Fields<Ball>, deviation: number, heading: number): Ellipse {
+  const [xx, xy, yy] = (["xx", "xy", "yy"] as const).map((name) => numberOf(fields, `covariance_${name}`)) as [
     number,
     number,
     number,
@@ -169,7 +190,7 @@ export function ellipseOf(fields: Fields, deviation: number, heading: number): E
   };
 }
 
-function teammatesOf(object: MemoryObject | undefined, turned: boolean): Teammate[] {
+function teammatesOf(object: MemoryObject<Team> | undefined, turned: boolean): Teammate[] {
   const told_ns = object?.shown?.log_ns;
   return listOf(valueOf(object), "teammates").flatMap((mate) => {
     const pose = inField(fieldsOf(mate, "pose"), turned);
@@ -183,7 +204,7 @@ function teammatesOf(object: MemoryObject | undefined, turned: boolean): Teammat
 }
 
 function opponentsOf(
-  object: MemoryObject | undefined,
+  object: MemoryObject<Opponents> | undefined,
   writtenAge: number | undefined,
   turned: boolean,
 ): OpponentBelief[] {
@@ -209,7 +230,12 @@ function opponentsOf(
 }
 
 /** Returns the camera's direction: from its matrix, else from the measured head joints, else from the commanded ones. */
-function viewOf(joints: Fields, command: Fields, camera: Fields, pose: Pose): Beliefs["view"] {
+function viewOf(
+  joints: Fields<Joints>,
+  command: Fields<MotionCommand>,
+  camera: Fields<CameraMatrix>,
+  pose: Pose,
+): Beliefs["view"] {
   const bearing = ({ x, y }: Point) => Math.atan2(y, x);
   const entry = (list: Value, index: number) =>
     Array.isArray(list) && typeof list[index] === "number" ? list[index] : NaN;
@@ -229,14 +255,14 @@ function viewOf(joints: Fields, command: Fields, camera: Fields, pose: Pose): Be
   };
 }
 
-function targetOf(walkTo: Fields, pose: Pose): Pose | undefined {
+function targetOf(walkTo: Fields<WalkTo>, pose: Pose): Pose | undefined {
   const point = pointOf(walkTo);
   return point && { ...seenFrom(pose, point), heading: pose.heading + (numberOf(walkTo, "heading") || 0) };
 }
 
-function kickOf(kick: Fields, pose: Pose, ball: Point | undefined): Beliefs["kick"] {
+function kickOf(kick: Fields<Kick>, pose: Pose, ball: Point | undefined): Beliefs["kick"] {
   if (kick.size === 0) return undefined;
-  const place = pointOf(kick, "ball_x", "ball_y");
+  const place = pointIn(kick, "ball_x", "ball_y");
   const from = place ? seenFrom(pose, place) : (ball ?? seenFrom(pose, { x: 0.2, y: 0 }));
   const angle = pose.heading + (numberOf(kick, "direction") || 0);
   const length = numberOf(kick, "distance") || kKickLength;

@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { memoryWith } from "../memory/test_memory";
 import type { Memory } from "../memory/memory";
 import { fieldsOfJson } from "../memory/forecast";
 import { believedBy } from "./believed";
@@ -17,7 +18,7 @@ function memoryOf(values: Record<string, object>): Memory {
         : value;
   const get = (topic: string) =>
     values[topic] && { shown: { log_ns: kNow }, decoded: () => ({ fields: whole(fieldsOfJson(values[topic])) }) };
-  return { get, age: () => 0 } as unknown as Memory;
+  return memoryWith({ get, age: () => 0 });
 }
 
 const kSeen = { seen_ns: 9_500_000_000 };

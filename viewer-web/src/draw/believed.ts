@@ -2,9 +2,10 @@
 
 import type { Body, Place, Situation } from "../memory/forecast";
 import type { Memory } from "../memory/memory";
-import type { RobotName } from "../memory/memory_object";
+import { valueOf, type RobotName } from "../memory/memory_object";
+import { isTurned } from "../memory/places";
 import { fieldsOf } from "../memory/value";
-import { beliefsOf, pointOf, valueOf } from "./beliefs";
+import { beliefsOf, pointOf } from "./beliefs";
 
 /**
  * Returns the situation in team_field. Opponents that are not distinguished are left out, because nobody could name
@@ -13,7 +14,7 @@ import { beliefsOf, pointOf, valueOf } from "./beliefs";
 export function believedBy(memory: Memory, robot: RobotName, now: number): Situation {
   const { pose, ball, teammates, opponents } = beliefsOf(memory, robot, now);
   // the beliefs are in `field`; the half turn is its own inverse
-  const turned = valueOf(memory.get(`/${robot}/game`)).get("attacks_positive_x") === false;
+  const turned = isTurned(valueOf(memory.of(robot, "game")));
   const back = ({ x, y }: Place): Place => (turned ? { x: -x, y: -y } : { x, y });
   const body = (side: Body["side"], player: number, at: Place & { heading: number }, deviation: number): Body => ({
     side,
@@ -22,7 +23,7 @@ export function believedBy(memory: Memory, robot: RobotName, now: number): Situa
     heading: at.heading - (turned ? Math.PI : 0),
     deviation,
   });
-  const shared = pointOf(fieldsOf(valueOf(memory.get(`/${robot}/team`)), "shared_ball"));
+  const shared = pointOf(fieldsOf(valueOf(memory.of(robot, "team")), "shared_ball"));
   return {
     ball: ball ? { ...back(ball), deviation: ball.deviation || 0 } : shared && { ...shared, deviation: 0 },
     bodies: [

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Memory } from "../memory/memory";
+import { memoryWith } from "../memory/test_memory";
 import type { Value } from "../memory/value";
 import { kFields } from "./field";
 import { kAssumed, knownField } from "./known_field";
@@ -7,7 +7,7 @@ import { kAssumed, knownField } from "./known_field";
 const fields = (entries: Record<string, Value>) => new Map(Object.entries(entries));
 const told = (values: Record<string, Record<string, Value>>, robots = ["14/2"]) => {
   const get = (topic: string) => values[topic] && { decoded: () => ({ fields: fields(values[topic]!) }) };
-  return { memory: { get } as unknown as Memory, robots, keyOf: (robot: string) => robot };
+  return { memory: memoryWith({ get }), robots, keyOf: (robot: string) => robot };
 };
 const kSimulated = {
   "/sim/state": {

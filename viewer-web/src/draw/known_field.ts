@@ -1,8 +1,9 @@
 // The one place that decides which field is drawn.
 
+import { valueOf } from "../memory/memory_object";
+import type { Field as FieldMessage } from "../memory/schema";
 import { kSimulation } from "../memory/simulation";
-import { fieldsOf, numberOf, textOf, type Fields } from "../memory/value";
-import { valueOf } from "./beliefs";
+import { fieldsOf, numberOf, textOf, type Fields, type NumberIn } from "../memory/value";
 import { kFields, type Field } from "./field";
 import type { Told } from "./scene";
 
@@ -18,12 +19,12 @@ export interface KnownField {
 /** `chosen`: the name of rules that a person has chosen, or "". */
 export function knownField(told: Told[], chosen: string): KnownField {
   for (const { memory } of told) {
-    const field = fieldOf(fieldsOf(valueOf(memory.get(kSimulation)), "field"));
+    const field = fieldOf(fieldsOf(valueOf(memory.world(kSimulation)), "field"));
     if (field) return { field, from: "reported" };
   }
   for (const { memory, robots } of told)
     for (const robot of robots) {
-      const field = kFields[rulesNameOf(textOf(valueOf(memory.get(`/${robot}/forecast`)), "rules"))];
+      const field = kFields[rulesNameOf(textOf(valueOf(memory.of(robot, "forecast")), "rules"))];
       if (field) return { field, from: "reported" };
     }
   for (const { rules } of told) {
@@ -37,9 +38,9 @@ export function knownField(told: Told[], chosen: string): KnownField {
 const rulesNameOf = (rules: string): string => /^[a-z0-9]*/.exec(rules)![0];
 
 /** Reads the field of /sim/state, or returns undefined. */
-export function fieldOf(fields: Fields): Field | undefined {
+export function fieldOf(fields: Fields<FieldMessage>): Field | undefined {
   if (!(numberOf(fields, "length") > 0 && numberOf(fields, "width") > 0)) return undefined;
-  const size = (name: string) => numberOf(fields, name) || 0;
+  const size = (name: NumberIn<FieldMessage>) => numberOf(fields, name) || 0;
   return {
     length: size("length"),
     width: size("width"),

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
 import { fieldsOfJson } from "../memory/forecast";
 import { History } from "../memory/history";
+import { memoryWith } from "../memory/test_memory";
 import { foreseenBy } from "./newest_forecast";
-import type { Told } from "./scene";
 
 test("a forecast from before half-time stays at its place after the teams changed sides", () => {
   const forecast = {
@@ -17,9 +17,8 @@ test("a forecast from before half-time stays at its place after the teams change
       shown: { log_ns: at_ns, data: new Uint8Array(1) },
       decoded: () => ({ fields: fieldsOfJson(forecast) }),
     };
-    const memory = { get: (topic: string) => (topic === "/14/2/forecast" ? object : game) };
-    return foreseenBy([{ memory, robots: ["14/2"], keyOf: (robot: string) => robot } as unknown as Told], [], "14/2")!
-      .paths[0]!;
+    const memory = memoryWith({ get: (topic) => (topic === "/14/2/forecast" ? object : game) });
+    return foreseenBy([{ memory, robots: ["14/2"], keyOf: (robot: string) => robot }], [], "14/2")!.paths[0]!;
   };
   expect(seen(150n)).toMatchObject({ ball: [{ x: 1, y: 2 }], robots: [{ points: [{ x: 3, y: -1 }] }] });
   expect(seen(250n)).toMatchObject({ ball: [{ x: -1, y: -2 }], robots: [{ points: [{ x: -3, y: 1 }] }] });

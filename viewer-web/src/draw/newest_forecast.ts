@@ -1,8 +1,9 @@
 // The rollouts for the Field view: those of the newest forecast of any robot, in the frame `field`.
 
 import { chosenOf, forecastOf, type Path, type Place } from "../memory/forecast";
-import type { MemoryObject } from "../memory/memory_object";
-import { valueOf } from "./beliefs";
+import { topicOfRobot, valueOf, type MemoryObject } from "../memory/memory_object";
+import { isTurned } from "../memory/places";
+import type { Forecast, GameState } from "../memory/schema";
 import type { Foreseen } from "./draw_scene";
 import { kLiveries } from "./robot_sign";
 import type { Robot, Told } from "./scene";
@@ -11,15 +12,15 @@ const read = new WeakMap<Uint8Array, Path[]>(); // each message is read once
 
 /** Returns the offered topics that are read. */
 export const forecastTopicsOf = ({ memory, robots }: Pick<Told, "memory" | "robots">): string[] =>
-  robots.map((robot) => `/${robot}/forecast`).filter((topic) => memory.get(topic));
+  robots.map((robot) => topicOfRobot(robot, "forecast")).filter((topic) => memory.get(topic));
 
 /** Returns the chosen robot's forecast if there is one, else the newest of another. `robots` have the liveries. */
 export function foreseenBy(told: Told[], robots: Robot[], chosen: string): Foreseen | undefined {
   const all = told.flatMap(({ memory, robots, keyOf }) =>
     robots.flatMap((robot) => {
-      const object = memory.get(`/${robot}/forecast`);
+      const object = memory.of(robot, "forecast");
       return object?.shown
-        ? [{ object, key: keyOf(robot), game: memory.get(`/${robot}/game`), at_ns: object.shown.log_ns }]
+        ? [{ object, key: keyOf(robot), game: memory.of(robot, "game"), at_ns: object.shown.log_ns }]
         : [];
     }),
   );
@@ -31,7 +32,7 @@ export function foreseenBy(told: Told[], robots: Robot[], chosen: string): Fores
   };
 }
 
-function pathsOf(object: MemoryObject, game: MemoryObject | undefined): Path[] {
+function pathsOf(object: MemoryObject<Forecast>, game: MemoryObject<GameState> | undefined): Path[] {
   const { data, log_ns } = object.shown!;
   const known = read.get(data);
   if (known) return known;
@@ -49,7 +50,7 @@ function pathsOf(object: MemoryObject, game: MemoryObject | undefined): Path[] {
 }
 
 /** Returns the side at the start of the rollouts, so that a forecast from before half-time stays at its place. */
-function wasTurned(game: MemoryObject | undefined, at_ns: bigint): boolean {
+function wasTurned(game: MemoryObject<GameState> | undefined, at_ns: bigint): boolean {
   const then = game?.history.at(at_ns);
-  return (then ? game?.decode(then.data).fields : valueOf(game))?.get("attacks_positive_x") === false;
+  return isTurned(then ? game?.decode(then.data).fields : valueOf(game));
 }

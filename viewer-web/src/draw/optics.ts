@@ -1,6 +1,7 @@
 // The camera's projection as in proto/foresight/camera.proto: between pixels and places in the frame `robot`.
 
-import { listOf, numberOf, type Fields } from "../memory/value";
+import type { CameraMatrix, Detection } from "../memory/schema";
+import { listOf, numberOf, type Fields, type NumberIn } from "../memory/value";
 import type { Point } from "./field";
 
 /** A place in the frame `robot` [m]. */
@@ -23,9 +24,9 @@ export interface Optics {
 const kNear = 0.05; // [m] in front of the camera: nearer points are not drawn
 
 /** Returns undefined if the message has no complete projection. */
-export function opticsOf(matrix: Fields): Optics | undefined {
+export function opticsOf(matrix: Fields<CameraMatrix>): Optics | undefined {
   const rotation = (matrix.get("rotation") as unknown[] | undefined)?.map(Number) ?? [];
-  const of = (name: string) => numberOf(matrix, name);
+  const of = (name: NumberIn<CameraMatrix>) => numberOf(matrix, name);
   const optics: Optics = {
     rotation,
     at: { x: of("x"), y: of("y"), z: of("z") },
@@ -112,10 +113,10 @@ export function horizonOf({ rotation: r, width, focal, centre }: Optics): [Point
 }
 
 /** Returns the corners of a detection's outline or box [px]. Empty if only its centre is known. */
-export function outlineOf(detection: Fields): Point[] {
+export function outlineOf(detection: Fields<Detection>): Point[] {
   const outline = listOf(detection, "outline").map((pixel) => ({ x: numberOf(pixel, "x"), y: numberOf(pixel, "y") }));
   if (outline.length > 1) return outline;
-  const [left, top, width, height] = ["box_left", "box_top", "box_width", "box_height"].map((name) =>
+  const [left, top, width, height] = (["box_left", "box_top", "box_width", "box_height"] as const).map((name) =>
     numberOf(detection, name),
   ) as [number, number, number, number];
   if (![left, top, width, height].every(Number.isFinite)) return [];

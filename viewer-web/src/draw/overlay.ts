@@ -1,6 +1,7 @@
 // Drawings over a camera image: the vision's detections, the horizon, and the field lines as seen from the believed
 // pose.
 
+import type { Detection, Pixel, Vision, VisualBall } from "../memory/schema";
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "../memory/value";
 import type { Pose } from "./beliefs";
 import type { Field, Pen, Point } from "./field";
@@ -15,7 +16,7 @@ export type Overlay = keyof typeof kOverlays;
 
 /** All at the image's own capture time. Undefined if nothing of that time is known. */
 export interface Seen {
-  vision: Fields | undefined;
+  vision: Fields<Vision> | undefined;
   /** 1 top, 2 bottom, as in Detection.Camera. */
   camera: number;
   optics: Optics | undefined;
@@ -182,24 +183,28 @@ function drawFieldLines(pen: Pen, fit: Fit, optics: Optics, pose: Pose, field: F
   }
 }
 
-function drawFound(pen: Pen, page: Fit, vision: Fields, camera: number): void {
+/** A percept, or a part of one, that names its camera. */
+type Seeing = Pick<Detection, "camera">;
+
+function drawFound(pen: Pen, page: Fit, vision: Fields<Vision>, camera: number): void {
   const [width, height] = [numberOf(vision, "image_width"), numberOf(vision, "image_height")];
   if (!(width > 0 && height > 0)) return;
   // pixels of the vision's own image, whose size may differ
   const fit: Fit = { ...page, width, height, scale: (page.scale * page.width) / width };
-  const isHere = (fields: Fields) => cameraOf(fields) === camera || cameraOf(fields) === 0;
-  const detections = (name: string) => listOf(vision, name).filter((entry) => isHere(fieldsOf(entry, "detection")));
+  const isHere = (fields: Fields<Seeing>) => cameraOf(fields) === camera || cameraOf(fields) === 0;
+  const found = <M extends { detection?: Detection }>(entries: Fields<M>[]) =>
+    entries.filter((entry: Fields<{ detection?: Detection }>) => isHere(fieldsOf(entry, "detection")));
 
   for (const line of listOf(vision, "lines").filter(isHere)) {
-    const ends = ["image_start", "image_end"].map((name) => toCanvas(fit, pixelOf(fieldsOf(line, name))));
+    const ends = (["image_start", "image_end"] as const).map((name) => toCanvas(fit, pixelOf(fieldsOf(line, name))));
     stroke(pen, kOverlayColours.line, 2.5, ends);
   }
-  for (const name of ["corners", "crosses"])
-    for (const entry of detections(name))
-      drawSpot(pen, fit, entry, wordOf(entry, "shape").replaceAll("_", " ").toUpperCase() || "mark");
-  for (const post of detections("goal_posts"))
+  for (const corner of found(listOf(vision, "corners")))
+    drawSpot(pen, fit, corner, wordOf(corner, "shape").replaceAll("_", " ").toUpperCase() || "mark");
+  for (const cross of found(listOf(vision, "crosses"))) drawSpot(pen, fit, cross, "mark");
+  for (const post of found(listOf(vision, "goal_posts")))
     drawBox(pen, fit, post, `${textOf(post, "colour")} post`.trim(), kOverlayColours.post);
-  for (const robot of detections("robots")) {
+  for (const robot of found(listOf(vision, "robots"))) {
     const side = wordOf(robot, "side");
     const known = side && side !== "unspecified" ? `${side} robot` : "robot";
     drawBox(
@@ -214,21 +219,21 @@ function drawFound(pen: Pen, page: Fit, vision: Fields, camera: number): void {
   if (ball.size > 0 && isHere(fieldsOf(ball, "detection"))) drawBall(pen, fit, ball);
 }
 
-const cameraOf = (fields: Fields): number => {
+const cameraOf = (fields: Fields<Seeing>): number => {
   const camera = fields.get("camera");
   return typeof camera === "object" && camera !== null && "number" in camera ? (camera.number as number) : 0;
 };
-const pixelOf = (pixel: Fields): Point => ({ x: numberOf(pixel, "x"), y: numberOf(pixel, "y") });
-const centreOf = (detection: Fields): Point => ({
+const pixelOf = (pixel: Fields<Pixel>): Point => ({ x: numberOf(pixel, "x"), y: numberOf(pixel, "y") });
+const centreOf = (detection: Fields<Detection>): Point => ({
   x: numberOf(detection, "image_x"),
   y: numberOf(detection, "image_y"),
 });
-const away = (detection: Fields): string => {
+const away = (detection: Fields<Detection>): string => {
   const distance = numberOf(detection, "distance");
   return Number.isFinite(distance) ? ` ${distance.toFixed(1)} m` : "";
 };
 
-function drawSpot(pen: Pen, fit: Fit, entry: Fields, word: string): void {
+function drawSpot(pen: Pen, fit: Fit, entry: Fields<{ detection?: Detection }>, word: string): void {
   const { x, y } = toCanvas(fit, centreOf(fieldsOf(entry, "detection")));
   stroke(pen, kOverlayColours.corner, 2, [
     { x: x - 6, y: y - 6 },
@@ -241,7 +246,7 @@ function drawSpot(pen: Pen, fit: Fit, entry: Fields, word: string): void {
   label(pen, fit, word, { x: x + 9, y }, kOverlayColours.corner, x - 9);
 }
 
-function drawBox(pen: Pen, fit: Fit, entry: Fields, word: string, colour: string): void {
+function drawBox(pen: Pen, fit: Fit, entry: Fields<{ detection?: Detection }>, word: string, colour: string): void {
   const detection = fieldsOf(entry, "detection");
   const outline = outlineOf(detection).map((corner) => toCanvas(fit, corner));
   const { x, y } = toCanvas(fit, centreOf(detection));
@@ -256,7 +261,7 @@ function drawBox(pen: Pen, fit: Fit, entry: Fields, word: string, colour: string
   );
 }
 
-function drawBall(pen: Pen, fit: Fit, ball: Fields): void {
+function drawBall(pen: Pen, fit: Fit, ball: Fields<VisualBall>): void {
   const detection = fieldsOf(ball, "detection");
   const { x, y } = toCanvas(fit, centreOf(detection));
   const radius = Math.max(3, fit.scale * (numberOf(ball, "radius") || 0));

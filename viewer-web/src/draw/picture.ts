@@ -1,5 +1,6 @@
 // Reads an image from any message that carries one: foresight.Image, foxglove.RawImage, foxglove.CompressedImage.
 
+import type { foxglove_CompressedImage, foxglove_RawImage, Image } from "../memory/schema";
 import { numberOf, wordOf, type Fields } from "../memory/value";
 
 export type Picture =
@@ -7,8 +8,11 @@ export type Picture =
 
 const kMostPixels = 4096 * 4096; // larger than any of our cameras; a larger claim is an error
 
+type AnyImage = Omit<Image, "encoding"> &
+  Pick<foxglove_CompressedImage, "format"> & { encoding?: Image["encoding"] | foxglove_RawImage["encoding"] };
+
 /** Reads by field name: `encoding` (or `format`), `width`, `height`, `data`. Returns the reason if it is no image. */
-export function pictureOf(message: Fields): Picture | { kind: "none"; why: string } {
+export function pictureOf(message: Fields<AnyImage>): Picture | { kind: "none"; why: string } {
   const none = (why: string) => ({ kind: "none" as const, why });
   const data = message.get("data");
   if (!(data instanceof Uint8Array)) return none("The message has no field 'data' of bytes.");

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import type { Memory } from "../memory/memory";
+import { memoryWith } from "../memory/test_memory";
 import { EnumValue, type Value } from "../memory/value";
 import { ellipseOf } from "./beliefs";
 import { liveriesOf } from "./robot_sign";
@@ -14,7 +15,7 @@ function memoryOf(values: Record<string, Record<string, Value>>, log_ns: Record<
       decoded: () => ({ fields: fields(values[topic]!) }),
     };
   const age = ({ shown }: { shown: { log_ns: bigint } }) => Number(10_000_000_000n - shown.log_ns) / 1e9;
-  return { get: object, age } as unknown as Memory;
+  return memoryWith({ get: object, age });
 }
 
 const told = (memory: Memory, robots: string[], suffix = "") => ({

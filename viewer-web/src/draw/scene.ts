@@ -1,10 +1,12 @@
 // The scene of a game: the truth and each robot's beliefs, all in the frame `field`.
 
 import type { Memory } from "../memory/memory";
-import type { RobotName } from "../memory/memory_object";
+import { topicOfRobot, valueOf, type RobotName } from "../memory/memory_object";
+import type { GroundTruth, GroundTruth_TrueBall } from "../memory/schema";
 import { kSimulation } from "../memory/simulation";
 import { fieldsOf, listOf, numberOf, wordOf, type Fields } from "../memory/value";
-import { beliefsOf, kBeliefs, pointOf, valueOf, type Beliefs, type Pose } from "./beliefs";
+import { kTruth } from "../memory/vocabulary";
+import { beliefsOf, kBeliefs, pointIn, pointOf, type Beliefs, type Pose } from "./beliefs";
 import type { Point } from "./field";
 import { kLiveries, liveriesOf, type Liveries, type Livery } from "./robot_sign";
 
@@ -35,25 +37,25 @@ export interface Told {
   keyOf(robot: RobotName): string;
 }
 
-export const kTruth = "/truth/world";
-
 /** Returns the offered topics that `sceneOf` reads. */
 export function topicsOf(memory: Memory, robots: RobotName[]): string[] {
-  const topics = [kTruth, kSimulation, ...robots.flatMap((robot) => kBeliefs.map((object) => `/${robot}/${object}`))];
-  // the camera's direction comes 30 times a second, the joints 100 times
-  const needless = (topic: string) =>
-    topic.endsWith("/joints") && memory.get(topic.replace("joints", "camera_top_matrix"));
-  return topics.filter((topic) => memory.get(topic) && !needless(topic));
+  const ofRobots = robots.flatMap((robot) =>
+    kBeliefs
+      // the camera's direction comes 30 times a second, the joints 100 times
+      .filter((object) => object !== "joints" || !memory.of(robot, "camera_top_matrix"))
+      .map((object) => topicOfRobot(robot, object)),
+  );
+  return [kTruth, kSimulation, ...ofRobots].filter((topic) => memory.get(topic));
 }
 
 /** Returns the servers of one field: the first, and those without a truth of their own. Two truths are two games. */
-export const oneWorld = (told: Told[]): Told[] => told.filter(({ memory }, i) => i === 0 || !memory.get(kTruth)?.shown);
+export const oneWorld = (told: Told[]): Told[] =>
+  told.filter(({ memory }, i) => i === 0 || !memory.world(kTruth)?.shown);
 
 /** Merges all servers: the truth of the first that sends it, robots of all. */
 export function sceneOf(told: Told[], now: number): Scene {
-  const worlds = told.map(({ memory }) => valueOf(memory.get(kTruth)));
-  const simulations = told.map(({ memory }) => valueOf(memory.get(kSimulation)));
-  const homeTeam = homeTeamOf(simulations, told, worlds);
+  const worlds = told.map(({ memory }) => valueOf(memory.world(kTruth)));
+  const homeTeam = homeTeamOf(told, worlds);
   const liveries = liveriesIn(told, homeTeam);
   return {
     ball: worlds.map((world) => ballOf(fieldsOf(world, "ball"))).find((ball) => ball),
@@ -61,13 +63,14 @@ export function sceneOf(told: Told[], now: number): Scene {
   };
 }
 
-function ballOf(fields: Fields): Scene["ball"] {
+function ballOf(fields: Fields<GroundTruth_TrueBall>): Scene["ball"] {
   const place = pointOf(fields);
-  return place && { ...place, velocity: pointOf(fields, "velocity_x", "velocity_y") };
+  return place && { ...place, velocity: pointIn(fields, "velocity_x", "velocity_y") };
 }
 
 /** Returns the home team of the simulation, else the first team of those that send objects, else the first in the truth. */
-function homeTeamOf(simulations: Fields[], told: Told[], worlds: Fields[]): number {
+function homeTeamOf(told: Told[], worlds: Fields<GroundTruth>[]): number {
+  const simulations = told.map(({ memory }) => valueOf(memory.world(kSimulation)));
   const numbers = simulations.map((fields) => numberOf(fieldsOf(fields, "home"), "number"));
   const sending = told.flatMap(({ robots }) => robots.map(teamOf));
   const seen = worlds.flatMap((world) => listOf(world, "robots").map((robot) => numberOf(robot, "team")));
@@ -83,8 +86,8 @@ interface Sides {
 function liveriesIn(told: Told[], homeTeam: number): Liveries {
   for (const { memory, robots } of told)
     for (const robot of robots) {
-      const game = valueOf(memory.get(`/${robot}/game`));
-      const [own, opponent] = ["own", "opponent"].map((side) => fieldsOf(game, side));
+      const game = valueOf(memory.of(robot, "game"));
+      const [own, opponent] = (["own", "opponent"] as const).map((side) => fieldsOf(game, side));
       const [mine, theirs] = [own!, opponent!].map((team) => wordOf(team, "field_colour").replace("colour_", ""));
       if (mine && theirs)
         return numberOf(own!, "number") === homeTeam ? liveriesOf(mine, theirs) : liveriesOf(theirs, mine);
@@ -94,15 +97,20 @@ function liveriesIn(told: Told[], homeTeam: number): Liveries {
 
 /** Returns the liveries of the team of `robot` and of its opponents. */
 export function liveriesFor(told: Told[], robot: RobotName): { own: Livery; opponent: Livery } {
-  const values = (topic: string) => told.map(({ memory }) => valueOf(memory.get(topic)));
-  const homeTeam = homeTeamOf(values(kSimulation), told, values(kTruth));
+  const worlds = told.map(({ memory }) => valueOf(memory.world(kTruth)));
+  const homeTeam = homeTeamOf(told, worlds);
   const { home, away } = liveriesIn(told, homeTeam);
   return teamOf(robot) === homeTeam ? { own: home, opponent: away } : { own: away, opponent: home };
 }
 
 const teamOf = (name: RobotName): number => Number(name.split("/")[0]);
 
-function robotsOf({ memory, robots, keyOf }: Told, world: Fields, { homeTeam, liveries }: Sides, now: number): Robot[] {
+function robotsOf(
+  { memory, robots, keyOf }: Told,
+  world: Fields<GroundTruth>,
+  { homeTeam, liveries }: Sides,
+  now: number,
+): Robot[] {
   const truths = new Map(
     listOf(world, "robots").map((robot) => [`${numberOf(robot, "team")}/${numberOf(robot, "player")}`, robot]),
   );

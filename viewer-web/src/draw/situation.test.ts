@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import type { Memory } from "../memory/memory";
+import { memoryWith } from "../memory/test_memory";
 import { EnumValue, type Value } from "../memory/value";
 import { sceneOf } from "./scene";
 import { kFields } from "./field";
@@ -11,7 +12,7 @@ const enumOf = (name: string) => new EnumValue(1, name);
 function memoryOf(values: Record<string, Record<string, Value>>): Memory {
   const object = (topic: string) =>
     values[topic] && { shown: { log_ns: 10_000_000_000n }, decoded: () => ({ fields: fields(values[topic]!) }) };
-  return { get: object, age: () => 0 } as unknown as Memory;
+  return memoryWith({ get: object, age: () => 0 });
 }
 const told = (values: Record<string, Record<string, Value>>, robots: string[] = []) => [
   { memory: memoryOf(values), robots, keyOf: (robot: string) => robot },

@@ -1,8 +1,10 @@
 // A moment of a game as a situation file of foresight-sim (sim/io/situation.h).
 
+import { valueOf } from "../memory/memory_object";
+import type { GameState } from "../memory/schema";
 import { kSimulation } from "../memory/simulation";
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "../memory/value";
-import { valueOf, type Pose } from "./beliefs";
+import type { Pose } from "./beliefs";
 import type { Field, Point } from "./field";
 import type { Robot, Scene, Told } from "./scene";
 
@@ -33,7 +35,7 @@ export function situationOf(
   const ball = scene.ball ?? believedBall(scene);
   if (!ball) return { missing: "The place of the ball is unknown at this moment." };
   const game = gameOf(scene, told);
-  const turned = isTurned(told, game);
+  const turned = turnsHome(told, game);
   const robots = standing(scene, ball, turned);
   if (robots.length === 0) return { missing: "The place of no robot is known at this moment." };
   const teams = { home: teamOf(scene, true), away: teamOf(scene, false) };
@@ -75,14 +77,14 @@ function believedBall({ robots }: Scene): Scene["ball"] {
 
 /** The GameController's state as one robot heard it, and that robot. */
 interface Heard {
-  fields: Fields;
+  fields: Fields<GameState>;
   robot: Robot;
 }
 
 /** Returns the game of a robot of the home side, or else of any. */
 function gameOf(scene: Scene, told: Told[]): Heard | undefined {
   const heard = scene.robots.flatMap((robot) =>
-    told.flatMap(({ memory }) => ({ fields: valueOf(memory.get(`/${robot.name}/game`)), robot })),
+    told.flatMap(({ memory }) => ({ fields: valueOf(memory.of(robot.name, "game")), robot })),
   );
   const games = heard.filter(({ fields }) => fields.size > 0);
   return games.find(({ robot }) => robot.home) ?? games[0];
@@ -91,9 +93,10 @@ function gameOf(scene: Scene, told: Told[]): Heard | undefined {
 const halfOf = (game: Heard | undefined): number => (game && numberOf(game.fields, "half")) || 1;
 
 /** Reports whether the home side attacks against the direction that a situation of this half has: then it is turned by π. */
-function isTurned(told: Told[], game: Heard | undefined): boolean {
+function turnsHome(told: Told[], game: Heard | undefined): boolean {
   const attacks = game?.fields.get("attacks_positive_x");
-  if (!game || typeof attacks !== "boolean" || told.some(({ memory }) => memory.get(kSimulation)?.shown)) return false;
+  if (!game || typeof attacks !== "boolean" || told.some(({ memory }) => memory.world(kSimulation)?.shown))
+    return false;
   return (attacks === game.robot.home) !== (halfOf(game) % 2 === 1);
 }
 
@@ -128,7 +131,7 @@ function standing(scene: Scene, ball: Point, turned: boolean): Standing[] {
 /** Returns the penalised robots that are not on the field, beside the touch line in front of their own goal. */
 function penalised(game: Heard | undefined, { length, width }: Field, there: Standing[]): Standing[] {
   if (!game) return [];
-  return ["own", "opponent"].flatMap((team) => {
+  return (["own", "opponent"] as const).flatMap((team) => {
     const side = (team === "own") === game.robot.home ? "home" : "away";
     const attack = (side === "home") === (halfOf(game) % 2 === 1) ? 1 : -1;
     return listOf(fieldsOf(game.fields, team), "players").flatMap((state, i): Standing[] => {
@@ -152,7 +155,7 @@ function penalised(game: Heard | undefined, { length, width }: Field, there: Sta
 /** Set plays of the GameController that the simulator has. It plays every other one like a kick-in. */
 const kSetPlays = ["goal_kick", "corner_kick"];
 
-function setPlayOf(fields: Fields): string {
+function setPlayOf(fields: Fields<GameState>): string {
   const word = wordOf(fields, "set_play");
   if (kSetPlays.includes(word)) return word;
   if (word && word !== "unspecified") return "kick_in";
@@ -171,7 +174,7 @@ function wordsOf(game: Heard | undefined, scene: Scene): object {
   const { fields, robot } = game;
   const state = wordOf(fields, "state");
   const phase = ["ready", "set", "playing", "finished"].includes(state) ? state : "initial";
-  const [own, opponent] = ["own", "opponent"].map((team) =>
+  const [own, opponent] = (["own", "opponent"] as const).map((team) =>
     Math.min(255, numberOf(fieldsOf(fields, team), "score") || 0),
   );
   const kicking = numberOf(fields, "kicking_team");
@@ -188,8 +191,8 @@ function wordsOf(game: Heard | undefined, scene: Scene): object {
 
 /** Returns the words that tell where the moment is from. */
 export function originOf(told: Told[], moment: string): string {
-  const simulation = told.map(({ memory }) => valueOf(memory.get(kSimulation))).find((fields) => fields.size > 0);
+  const simulation = told.map(({ memory }) => valueOf(memory.world(kSimulation))).find((fields) => fields.size > 0);
   if (!simulation) return `the moment ${moment} of a recording`;
-  const [home, away] = ["home", "away"].map((side) => textOf(fieldsOf(simulation, side), "strategy"));
+  const [home, away] = (["home", "away"] as const).map((side) => textOf(fieldsOf(simulation, side), "strategy"));
   return `${home} against ${away}, ${textOf(simulation, "rules")}, seed ${numberOf(simulation, "seed")}, moment ${(numberOf(simulation, "tick") / 30).toFixed(1)}`;
 }

@@ -1,12 +1,15 @@
 // The last seconds of ball and robots, from the histories of their objects.
 
-import type { MemoryObject } from "../memory/memory_object";
+import { valueOf, type MemoryObject } from "../memory/memory_object";
+import { isTurned } from "../memory/places";
+import type { GroundTruth, Pose } from "../memory/schema";
 import { Trail } from "../memory/trail";
 import { fieldsOf, listOf, numberOf, type Fields } from "../memory/value";
-import { pointOf, valueOf } from "./beliefs";
+import { kTruth } from "../memory/vocabulary";
+import { pointOf } from "./beliefs";
 import type { Drawing, TrailPoint } from "./draw_scene";
 import type { Point } from "./field";
-import { kTruth, type Told } from "./scene";
+import type { Told } from "./scene";
 
 const kSeconds = 6;
 
@@ -20,12 +23,12 @@ interface World {
   robots: Map<string, Timed>;
 }
 
-const timedOf = (fields: Fields, log_ns: bigint): Timed | undefined => {
+const timedOf = (fields: Fields<{ x?: number; y?: number }>, log_ns: bigint): Timed | undefined => {
   const place = pointOf(fields);
   return place && { ...place, log_ns };
 };
 
-const worldOf = (fields: Fields, log_ns: bigint): World => ({
+const worldOf = (fields: Fields<GroundTruth>, log_ns: bigint): World => ({
   ball: timedOf(fieldsOf(fields, "ball"), log_ns),
   robots: new Map(
     listOf(fields, "robots").flatMap((robot) => {
@@ -53,14 +56,14 @@ export function withLeaps(points: Timed[], kind: keyof typeof kFastest): TrailPo
 }
 
 export class Trails {
-  #worlds = new Map<MemoryObject, Trail<World>>();
-  #poses = new Map<MemoryObject, Trail<Timed>>();
+  #worlds = new Map<MemoryObject<GroundTruth>, Trail<World, GroundTruth>>();
+  #poses = new Map<MemoryObject<Pose>, Trail<Timed, Pose>>();
 
   /** Returns the trails of the ball, of the chosen robot, and with `everyone` of all others. */
   of(told: Told[], chosen: string, everyone: boolean): Drawing["trails"] {
     const trails: Drawing["trails"] = [];
     for (const { memory, robots, keyOf } of told) {
-      const truth = memory.get(kTruth);
+      const truth = memory.world(kTruth);
       const worlds = truth ? trailOf(this.#worlds, truth, worldOf).points(kSeconds) : [];
       if (worlds.length > 0)
         trails.push({
@@ -75,8 +78,8 @@ export class Trails {
         const key = keyOf(robot);
         const places = worlds.flatMap(({ robots }) => robots.get(robot) ?? []);
         trails.push({ key, kind: "truth", points: withLeaps(places, "robot") });
-        const pose = memory.get(`/${robot}/pose`);
-        const sign = valueOf(memory.get(`/${robot}/game`)).get("attacks_positive_x") === false ? -1 : 1;
+        const pose = memory.of(robot, "pose");
+        const sign = isTurned(valueOf(memory.of(robot, "game"))) ? -1 : 1;
         const points = pose ? trailOf(this.#poses, pose, timedOf).points(kSeconds) : [];
         const turned = points.map(({ x, y, log_ns }) => ({ x: sign * x, y: sign * y, log_ns }));
         trails.push({ key, kind: "belief", points: withLeaps(turned, "robot") });
@@ -88,11 +91,11 @@ export class Trails {
 
 const kMost = 64; // [objects] with a kept trail; beyond it all are dropped
 
-function trailOf<T>(
-  trails: Map<MemoryObject, Trail<T>>,
-  object: MemoryObject,
-  read: (fields: Fields, log_ns: bigint) => T | undefined,
-): Trail<T> {
+function trailOf<T, M>(
+  trails: Map<MemoryObject<M>, Trail<T, M>>,
+  object: MemoryObject<M>,
+  read: (fields: Fields<M>, log_ns: bigint) => T | undefined,
+): Trail<T, M> {
   if (!trails.has(object)) {
     if (trails.size >= kMost) trails.clear();
     trails.set(object, new Trail(object, read));

@@ -15,9 +15,12 @@ import {
   type Look,
   type Place,
 } from "./places";
+import type { GroundTruth } from "./schema";
 import { wordsOfEnum, type Shape } from "./shape";
 import { objectNames, robotOfTopic, robotsOf, topicOf, type Vocabulary } from "./vocabulary";
 import { EnumValue, type Value } from "./value";
+
+const kRobots = "robots" satisfies keyof GroundTruth;
 
 export type Kind = "number" | "truth" | "text" | "enum" | "unknown";
 
@@ -179,8 +182,8 @@ class Compiler {
       // truth.pose is the chosen robot's entry among all true robots
       if (i === 0 && object === "truth" && one.step === "pose" && fieldOf(shape, "pose") === undefined) {
         const [team, player] = robot.split("/").map(Number) as [number, number];
-        taken.push("robots", { team, player });
-        const robots = fieldOf(shape, "robots");
+        taken.push(kRobots, { team, player });
+        const robots = fieldOf(shape, kRobots);
         shape = robots?.kind === "list" ? robots.of : { kind: "unknown" };
       } else {
         const step = indexOf(topic, one);

@@ -4,7 +4,7 @@ import { kFunctions } from "./compile";
 import { isByJoint, jointIndex, kJoints } from "./joints";
 import { pathOf } from "./paths";
 import { wordsOfEnum, type Shape } from "./shape";
-import { kTruthTopic, robotOfTopic, topicOf, type Vocabulary } from "./vocabulary";
+import { kTruth, robotOfTopic, topicOf, type Vocabulary } from "./vocabulary";
 
 export interface Proposal {
   /** The text that replaces the word at the caret. */
@@ -69,7 +69,7 @@ function namesIn(vocabulary: Vocabulary, word: string): Proposal[] {
     .filter((name) => name !== "" && name.includes("/") === word.startsWith("/"))
     .sort()
     .map((name) => ({ insert: name, label: name, about: "object" }));
-  const truth = topics.has(kTruthTopic) && !word.startsWith("/");
+  const truth = topics.has(kTruth) && !word.startsWith("/");
   return truth ? [...proposals, { insert: "truth.", label: "truth", about: "the real ball and robots" }] : proposals;
 }
 

@@ -3,6 +3,7 @@
 
 import type { Entry } from "./history";
 import type { MemoryObject } from "./memory_object";
+import type { DecisionTrace } from "./schema";
 import { listOf, numberOf, textOf, wordOf, type Fields } from "./value";
 
 /** One node on the path of one decision. */
@@ -29,7 +30,7 @@ export interface Decision {
   leaf: string;
 }
 
-export function decisionOf(fields: Fields): Decision {
+export function decisionOf(fields: Fields<DecisionTrace>): Decision {
   const visited = listOf(fields, "visited").map((node) => ({
     path: textOf(node, "path"),
     name: textOf(node, "name"),
@@ -88,7 +89,7 @@ export class Decisions {
   #generation = -1;
   #last_ns: bigint | undefined;
 
-  constructor(readonly object: MemoryObject) {}
+  constructor(readonly object: MemoryObject<DecisionTrace>) {}
 
   /** Reads new decisions for at most `milliseconds`. Returns true when all are read. */
   update(milliseconds: number, clock: () => number = () => performance.now()): boolean {

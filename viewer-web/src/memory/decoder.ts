@@ -5,10 +5,10 @@ import { base64Decode } from "@bufbuild/protobuf/wire";
 import { reflect, type ReflectList, type ReflectMap, type ReflectMessage } from "@bufbuild/protobuf/reflect";
 import { FileDescriptorSetSchema } from "@bufbuild/protobuf/wkt";
 import type { Channel } from "../source/texts";
-import { EnumValue, type Fields, type Value } from "./value";
+import { EnumValue, type Fields, type Unknown, type Value } from "./value";
 
-/** A decoded message, or a sentence that says why it cannot be decoded. */
-export type Decoded = { fields: Fields; error?: undefined } | { fields?: undefined; error: string };
+/** A decoded message, or a sentence that says why it cannot be decoded. `M` as for Fields. */
+export type Decoded<M = Unknown> = { fields: Fields<M>; error?: undefined } | { fields?: undefined; error: string };
 
 export type Decoder = (data: Uint8Array) => Decoded;
 

@@ -1,7 +1,13 @@
 // Foresight's forecast of each strategy, from the object `forecast` or from the service /foresight/what_if.
 
-import type { Fields, Value } from "./value";
-import { fieldsOf, listOf, numberOf, textOf, wordOf } from "./value";
+import type {
+  Forecast as ForecastMessage,
+  Forecast_Path,
+  Forecast_Situation,
+  Forecast_Situation_Body,
+  Forecast_StrategyForecast,
+} from "./schema";
+import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields, type NumberIn, type Value } from "./value";
 
 export const kMeasures = {
   goal_difference: "goal difference",
@@ -109,7 +115,7 @@ export interface Forecast {
   standing: { score: [number, number]; remaining: number } | undefined;
 }
 
-const finite = (fields: Fields, name: string): number => {
+const finite = <M>(fields: Fields<M>, name: NumberIn<M>): number => {
   const value = numberOf(fields, name);
   return Number.isFinite(value) ? value : 0;
 };
@@ -118,10 +124,17 @@ const known = <Word extends string>(words: Record<Word, unknown>, word: string, 
   Object.hasOwn(words, word) ? (word as Word) : otherwise;
 const kAdvice = { none: 0, keep: 0, change: 0 };
 
+/** The object, or the answer of the service, in which some parts of the situation have other names. */
+export type ForecastAnswer = Omit<ForecastMessage, "situation"> & { situation?: AnswerSituation };
+type AnswerSituation = Forecast_Situation & {
+  ball?: { x?: number; y?: number; deviation?: number; elsewhere?: number };
+  robots?: (Forecast_Situation_Body & { side?: string })[];
+};
+
 /** Reads an object or an answer. Missing values become empty or 0. */
-export function forecastOf(fields: Fields): Forecast {
+export function forecastOf(fields: Fields<ForecastAnswer>): Forecast {
   const question = fieldsOf(fields, "question");
-  const count = (name: string) => finite(fields, name);
+  const count = (name: NumberIn<ForecastAnswer>) => finite(fields, name);
   const situation = fieldsOf(fields, "situation");
   return {
     measure: known(kMeasures, wordOf(question, "measure"), "goal_difference"),
@@ -155,8 +168,8 @@ export function fieldsOfJson(value: unknown): Fields {
   return fields instanceof Map ? fields : new Map();
 }
 
-function strategyOf(fields: Fields): StrategyForecast {
-  const of = (name: string) => finite(fields, name);
+function strategyOf(fields: Fields<Forecast_StrategyForecast>): StrategyForecast {
+  const of = (name: NumberIn<Forecast_StrategyForecast>) => finite(fields, name);
   return {
     name: textOf(fields, "strategy"),
     rollouts: of("rollouts"),
@@ -174,7 +187,7 @@ function strategyOf(fields: Fields): StrategyForecast {
   };
 }
 
-const pathOf = (fields: Fields): Path => ({
+const pathOf = (fields: Fields<Forecast_Path>): Path => ({
   spacing: finite(fields, "spacing"),
   ball: pointsOf(fields.get("ball")),
   robots: listOf(fields, "robots").map((robot) => ({
@@ -195,7 +208,7 @@ function pointsOf(list: Value): Place[] {
   return points;
 }
 
-function heatOf(fields: Fields): Heat | undefined {
+function heatOf(fields: Fields<Forecast_StrategyForecast>): Heat | undefined {
   const columns = numberOf(fields, "heat_columns");
   const counts = fields.get("heat");
   const fits =
@@ -210,12 +223,15 @@ function heatOf(fields: Fields): Heat | undefined {
 }
 
 /** Reads the situation. The object has ball_x and bodies, the service has ball.x and robots. */
-function situationOf(fields: Fields): Situation {
+function situationOf(fields: Fields<AnswerSituation>): Situation {
   const ball = fieldsOf(fields, "ball");
-  const [x, y, deviation] = ["x", "y", "deviation"].map((name) =>
+  const [x, y, deviation] = (["x", "y", "deviation"] as const).map((name) =>
     ball.size > 0 ? numberOf(ball, name) : numberOf(fields, `ball_${name}`),
   );
-  const bodies = [...listOf(fields, "bodies"), ...listOf(fields, "robots")];
+  const bodies: Fields<Forecast_Situation_Body & { side?: string }>[] = [
+    ...listOf(fields, "bodies"),
+    ...listOf(fields, "robots"),
+  ];
   return {
     ball: Number.isFinite(x) && Number.isFinite(y) ? { x: x!, y: y!, deviation: deviation || 0 } : undefined,
     bodies: bodies.map((body) => ({
@@ -229,7 +245,7 @@ function situationOf(fields: Fields): Situation {
   };
 }
 
-function standingOf(situation: Fields): Forecast["standing"] {
+function standingOf(situation: Fields<Forecast_Situation>): Forecast["standing"] {
   const remaining = numberOf(situation, "seconds_remaining");
   return Number.isFinite(remaining)
     ? { score: [finite(situation, "own_score"), finite(situation, "opponent_score")], remaining }

@@ -1,5 +1,6 @@
 // How often the robot's forecasts came true: the object `forecast_score`.
-import { type Fields, fieldsOf, listOf, numberOf, textOf } from "./value";
+import type { ForecastScore as ScoreMessage, ForecastScore_Entry, Strategy } from "./schema";
+import { fieldsOf, listOf, numberOf, textOf, type Fields, type NumberIn, type Value } from "./value";
 
 /** Forecasts with about the same predicted probability. */
 export interface Bin {
@@ -31,7 +32,7 @@ export interface ForecastScore {
   concede: Scored;
 }
 
-const finite = (fields: Fields, name: string): number => numberOf(fields, name) || 0;
+const finite = <M>(fields: Fields<M>, name: NumberIn<M>): number => numberOf(fields, name) || 0;
 
 /** The score's subject: "all", or one strategy and horizon such as "passing, 30 s". */
 export interface NamedScore {
@@ -43,7 +44,7 @@ export interface NamedScore {
  * Returns the common score, then one per strategy and horizon if there are several. Empty before the first scored
  * forecast.
  */
-export function forecastScoresOf(fields: Fields): NamedScore[] {
+export function forecastScoresOf(fields: Fields<ScoreMessage>): NamedScore[] {
   const entries = listOf(fields, "entries");
   const all = merge(entries);
   if (!all) return [];
@@ -55,16 +56,16 @@ export function forecastScoresOf(fields: Fields): NamedScore[] {
 }
 
 /** Merges all entries into one score. Undefined if no forecast was scored. */
-function merge(entries: Fields[]): ForecastScore | undefined {
+function merge(entries: Fields<ForecastScore_Entry>[]): ForecastScore | undefined {
   const forecasts = entries.reduce((sum, entry) => sum + finite(entry, "forecasts"), 0);
   if (forecasts === 0) return undefined;
-  const merged = (kind: string): Scored => {
+  const merged = (kind: "score" | "concede"): Scored => {
     const events = entries.map((entry) => ({ weight: finite(entry, "forecasts"), event: fieldsOf(entry, kind) }));
     const came = events.reduce((sum, { event }) => sum + finite(event, "came"), 0);
-    const mean = (name: string) =>
+    const mean = (name: "brier" | "log_loss") =>
       events.reduce((sum, { weight, event }) => sum + weight * finite(event, name), 0) / forecasts;
     const bins = Array.from({ length: 10 }, (_, index): Bin => {
-      const parts = events.map(({ event }) => listOf(event, "bins")[index] ?? new Map());
+      const parts = events.map(({ event }) => listOf(event, "bins")[index] ?? new Map<string, Value>());
       const count = parts.reduce((sum, bin) => sum + finite(bin, "forecasts"), 0);
       const rate = parts.reduce((sum, bin) => sum + finite(bin, "came"), 0) / count;
       const foretold = parts.reduce((sum, bin) => sum + finite(bin, "forecasts") * finite(bin, "foretold"), 0) / count;
@@ -83,7 +84,7 @@ function merge(entries: Fields[]): ForecastScore | undefined {
 }
 
 /** The strategy in use, such as "passing", and the choice behind it. Undefined if foresight does not report it. */
-export function strategyOf(fields: Fields): { name: string; chosen: boolean; captain: number } | undefined {
+export function strategyOf(fields: Fields<Strategy>): { name: string; chosen: boolean; captain: number } | undefined {
   const name = textOf(fields, "name");
   return name === "" ? undefined : { name, chosen: fields.get("chosen") === true, captain: finite(fields, "captain") };
 }

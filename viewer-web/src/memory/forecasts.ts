@@ -1,6 +1,6 @@
 // All kept forecasts of a robot, each read once.
 
-import { forecastOf, type Forecast } from "./forecast";
+import { forecastOf, type Forecast, type ForecastAnswer } from "./forecast";
 import type { MemoryObject } from "./memory_object";
 
 /** A short form of one forecast. */
@@ -19,7 +19,7 @@ export class Forecasts {
   #generation = 0;
   #shown: { data: Uint8Array; forecast: Forecast | undefined } | undefined;
 
-  constructor(readonly object: MemoryObject) {}
+  constructor(readonly object: MemoryObject<ForecastAnswer>) {}
 
   /** The forecasts, newest first. Includes those after the shown moment. */
   list(most: number): Told[] {

@@ -2,8 +2,9 @@
 // that plays a recording finds them by the same rules (robot/lab/whole/recorded_events.cpp) in all of it.
 
 import type { Entry } from "./history";
-import { kLogLevels, type LogLevel } from "./log_history";
-import type { MemoryObject, RobotName } from "./memory_object";
+import { levelOf } from "./log_history";
+import { isKind, type MemoryObject, type RobotName } from "./memory_object";
+import type { GameState, LogText, MotionStatus, RobotObject, Simulation } from "./schema";
 import { kSimulation } from "./simulation";
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "./value";
 
@@ -25,9 +26,11 @@ const kMostPlayers = 20;
 /** Movements that are no kicks, by our motions and by the simulator's. */
 const kNoKicks = ["", "squat", "stand_up", "sit", "tuck", "get_up"];
 
+type Change = Pick<GameEvent, "kind" | "text">;
+
 /** Returns the events between two consecutive messages of `game`. */
-export function changesOfGame(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
-  const changes: { kind: EventKind; text: string }[] = [];
+export function changesOfGame(before: Fields<GameState>, after: Fields<GameState>): Change[] {
+  const changes: Change[] = [];
   const state = wordOf(after, "state");
   if (state && state !== wordOf(before, "state")) changes.push({ kind: "state", text: state });
   const setPlay = wordOf(after, "set_play");
@@ -38,7 +41,7 @@ export function changesOfGame(before: Fields, after: Fields): { kind: EventKind;
     changes.push({ kind: "state", text: phase.replaceAll("_", " ") });
   const [wasHalf, half] = [before, after].map((fields) => numberOf(fields, "half"));
   if (wasHalf! > 0 && half! > 0 && half !== wasHalf) changes.push({ kind: "state", text: `half ${half}` });
-  for (const side of ["own", "opponent"]) {
+  for (const side of ["own", "opponent"] as const) {
     const [was, is] = [fieldsOf(before, side), fieldsOf(after, side)];
     if (numberOf(was, "number") !== numberOf(is, "number")) continue;
     const team = numberOf(is, "number");
@@ -55,10 +58,10 @@ export function changesOfGame(before: Fields, after: Fields): { kind: EventKind;
 }
 
 /** Returns the events between two consecutive messages of /sim/state. */
-export function changesOfSimulation(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
+export function changesOfSimulation(before: Fields<Simulation>, after: Fields<Simulation>): Change[] {
   if (numberOf(after, "seed") !== numberOf(before, "seed") || numberOf(after, "tick") < numberOf(before, "tick"))
     return [{ kind: "state", text: `new game, seed ${numberOf(after, "seed")}` }];
-  return ["home", "away"].flatMap((side) => {
+  return (["home", "away"] as const).flatMap((side) => {
     const [was, is] = [fieldsOf(before, side), fieldsOf(after, side)];
     return numberOf(is, "score") > numberOf(was, "score")
       ? [{ kind: "goal" as const, text: `goal of team ${numberOf(is, "number")}` }]
@@ -67,9 +70,9 @@ export function changesOfSimulation(before: Fields, after: Fields): { kind: Even
 }
 
 /** Returns the events between two consecutive messages of `motion_status`. */
-export function changesOfMotion(before: Fields, after: Fields): { kind: EventKind; text: string }[] {
+export function changesOfMotion(before: Fields<MotionStatus>, after: Fields<MotionStatus>): Change[] {
   const down = ["falling", "fallen"];
-  const changes: { kind: EventKind; text: string }[] = [];
+  const changes: Change[] = [];
   const [was, is] = [wordOf(before, "fall"), wordOf(after, "fall")];
   if (down.includes(is) && !down.includes(was))
     changes.push({ kind: "fall", text: `falls ${wordOf(after, "fall_side").replace("unspecified", "")}`.trim() });
@@ -79,12 +82,15 @@ export function changesOfMotion(before: Fields, after: Fields): { kind: EventKin
   return changes;
 }
 
+type Changes = (before: Fields, after: Fields) => Change[];
+const kChanges = new Map<string, Changes>(
+  Object.entries({ game: changesOfGame, motion_status: changesOfMotion } satisfies Partial<
+    Record<RobotObject, Changes>
+  >),
+);
+
 /** Returns the function that finds events in an object's messages, or undefined if they contain none. */
-export function changesTold(
-  name: string,
-): ((before: Fields, after: Fields) => { kind: EventKind; text: string }[]) | undefined {
-  return { game: changesOfGame, motion_status: changesOfMotion }[name];
-}
+export const changesTold = (name: string): Changes | undefined => kChanges.get(name);
 
 /** Leaves out events of kinds that this page does not know. */
 export const knownEvents = (events: (Omit<GameEvent, "kind"> & { kind: string })[]): GameEvent[] =>
@@ -120,7 +126,7 @@ export class GameEvents {
 
   arrived(object: MemoryObject, entry: Entry): void {
     if (object.derived || this.complete) return;
-    if (object.kind === "log") this.#logged(object, entry);
+    if (isKind(object, "log")) this.#logged(object, entry);
     else if (object.channel.topic === kSimulation) this.#compare(object, entry, changesOfSimulation);
     else {
       const changes = changesTold(object.name);
@@ -135,18 +141,14 @@ export class GameEvents {
     for (const event of earlier.#events) this.#add(event);
   }
 
-  #logged(object: MemoryObject, { log_ns, data }: Entry): void {
+  #logged(object: MemoryObject<LogText>, { log_ns, data }: Entry): void {
     const fields = object.decode(data).fields;
-    const level = fields ? kLogLevels.indexOf(wordOf(fields, "level") as LogLevel) : -1;
-    if (fields && level >= kLogLevels.indexOf("error"))
+    const level = fields && levelOf(fields);
+    if (fields && (level === "error" || level === "fatal"))
       this.#add({ log_ns, kind: "error", text: textOf(fields, "text"), robot: object.robot });
   }
 
-  #compare(
-    object: MemoryObject,
-    { log_ns, data }: Entry,
-    changes: (before: Fields, after: Fields) => { kind: EventKind; text: string }[],
-  ): void {
+  #compare(object: MemoryObject, { log_ns, data }: Entry, changes: Changes): void {
     const fields = object.decode(data).fields;
     if (!fields) return;
     const { topic } = object.channel;

@@ -1,5 +1,7 @@
 // Names of the Nao's joints in LoLA's order, which the lists of the object `joints` have (proto/foresight/sensors.proto).
 
+import { isTopicOf } from "./memory_object";
+
 export const kJoints: readonly string[] = [
   "head_yaw",
   "head_pitch",
@@ -29,7 +31,7 @@ export const kJoints: readonly string[] = [
 ];
 
 /** Whether the lists of this topic have one entry for each joint. */
-export const isByJoint = (topic: string): boolean => /(^|\/)joints$/.test(topic);
+export const isByJoint = (topic: string): boolean => isTopicOf(`/${topic}`, "joints");
 
 /** Returns the joint's index in a list of the topic, or undefined if there is none of this name. */
 export function jointIndex(topic: string, name: string): number | undefined {

@@ -1,15 +1,16 @@
 // Whether a moment has data, and the nearest one that has.
 
-import type { RobotName } from "./memory_object";
 import type { Memory } from "./memory";
+import { topicOfRobot, type RobotName } from "./memory_object";
+import { kTruth } from "./vocabulary";
 
 const kGap_ns = 2_000_000_000n; // places come at least ten times a second; older ones are not of this moment
 
 /** Returns the offered topics with the places of robots and ball, without which a field is empty. */
 export function placesOf(memory: Memory, robots: RobotName[]): string[] {
   const topics = [
-    "/truth/world",
-    ...robots.flatMap((robot) => ["pose", "ball", "vision"].map((object) => `/${robot}/${object}`)),
+    kTruth,
+    ...robots.flatMap((robot) => (["pose", "ball", "vision"] as const).map((object) => topicOfRobot(robot, object))),
   ];
   return topics.filter((topic) => memory.get(topic));
 }

@@ -1,8 +1,9 @@
 // The live parameters of a team's processes, from the object live_parameters of a robot.
 
+import type { LiveParameter as Parameter, LiveParameters as Announced, RobotObject } from "./schema";
 import { listOf, numberOf, textOf, wordOf, type Fields } from "./value";
 
-export const kLiveParameters = "live_parameters";
+export const kLiveParameters = "live_parameters" satisfies RobotObject;
 
 export type ParameterValue = number | boolean | string;
 export type ParameterType = "number" | "whole" | "yes_no" | "text" | "choice";
@@ -34,7 +35,7 @@ export interface LiveParameters {
 }
 
 /** Parses the decoded message. Entries of an unknown type are left out. */
-export function liveParametersOf(message: Fields): LiveParameters {
+export function liveParametersOf(message: Fields<Announced>): LiveParameters {
   const problems = message.get("problem");
   return {
     parameters: listOf(message, "parameter").flatMap((fields) => parameterOf(fields) ?? []),
@@ -42,10 +43,10 @@ export function liveParametersOf(message: Fields): LiveParameters {
   };
 }
 
-function parameterOf(fields: Fields): LiveParameter | undefined {
+function parameterOf(fields: Fields<Parameter>): LiveParameter | undefined {
   const type = wordOf(fields, "type");
   if (!kTypes.includes(type)) return undefined;
-  const value = (number: string, text: string): ParameterValue =>
+  const value = (number: "number" | "initial_number", text: "text" | "initial_text"): ParameterValue =>
     type === "text" || type === "choice"
       ? textOf(fields, text)
       : type === "yes_no"

@@ -3,12 +3,19 @@
 import { byTime } from "../source/by_time";
 import type { Entry } from "./history";
 import type { MemoryObject, RobotName } from "./memory_object";
-import { numberOf, textOf, wordOf } from "./value";
+import type { LogText } from "./schema";
+import { numberOf, textOf, wordOf, type Fields } from "./value";
 
 const kMost = 2000; // [sentences] as many as a person would search
 
 export type LogLevel = "debug" | "info" | "warning" | "error" | "fatal";
 export const kLogLevels: LogLevel[] = ["debug", "info", "warning", "error", "fatal"];
+
+/** Returns undefined for a level that this page does not know. */
+export const levelOf = (fields: Fields<LogText>): LogLevel | undefined => {
+  const word = wordOf(fields, "level");
+  return kLogLevels.find((level) => level === word);
+};
 
 export interface LogEntry {
   id: number;
@@ -34,13 +41,13 @@ export class LogHistory {
     this.#entries = this.#entries.filter(({ log_ns }) => log_ns < at_ns);
   }
 
-  arrived(object: MemoryObject, entry: Entry): void {
+  arrived(object: MemoryObject<LogText>, entry: Entry): void {
     this.#entries.push(this.#read(object, entry));
     if (this.#entries.length > kMost) this.#entries.splice(0, this.#entries.length - kMost);
   }
 
   /** Puts the earlier sentences `entries` of an object in place of all from the first of them to the last. */
-  recall(object: MemoryObject, entries: readonly Entry[]): void {
+  recall(object: MemoryObject<LogText>, entries: readonly Entry[]): void {
     const [first_ns, last_ns] = [entries[0]?.log_ns, entries.at(-1)?.log_ns];
     if (first_ns === undefined || last_ns === undefined) return;
     this.#entries = this.#entries
@@ -50,14 +57,14 @@ export class LogHistory {
       .slice(-kMost);
   }
 
-  #read(object: MemoryObject, { log_ns, data }: Entry): LogEntry {
+  #read(object: MemoryObject<LogText>, { log_ns, data }: Entry): LogEntry {
     const { fields, error } = object.decode(data);
-    const level = fields ? (wordOf(fields, "level") as LogLevel) : "error";
+    const level = fields ? levelOf(fields) : "error";
     return {
       id: this.#next++,
       log_ns,
       robot: object.robot,
-      level: kLogLevels.includes(level) ? level : "info",
+      level: level ?? "info",
       text: fields ? textOf(fields, "text") : error,
       source: fields ? textOf(fields, "source") : "viewer",
       suppressed: fields ? numberOf(fields, "suppressed") || 0 : 0,

@@ -6,12 +6,12 @@ import { orMistake } from "./expression";
 import type { Entry } from "./history";
 import { isByJoint, jointName } from "./joints";
 import type { Memory } from "./memory";
-import type { MemoryObject } from "./memory_object";
+import { topicOfRobot, type MemoryObject } from "./memory_object";
 import { numberAt, numbersIn, pathOf, type Path, type Step } from "./paths";
 import { Series } from "./series";
 import type { Shape } from "./shape";
 import type { Fields } from "./value";
-import { kTruthTopic, vocabularyOf } from "./vocabulary";
+import { kTruth, vocabularyOf } from "./vocabulary";
 
 const kError = "~truth";
 
@@ -130,8 +130,11 @@ function fieldsAt(object: MemoryObject | undefined, log_ns: bigint): Fields | un
 /** Lists everything that can be plotted now, of a robot and of objects without a robot. */
 export function measuresOf(memory: Memory, robot: string): string[] {
   const objects = memory.objectsOf(robot).filter(({ derived, isImage }) => !derived && !isImage);
-  const errors = memory.get(kTruthTopic)
-    ? ["pose", "ball"].filter((what) => memory.get(`/${robot}/${what}`)).map((what) => `/${robot}/${what}${kError}`)
+  const errors = memory.get(kTruth)
+    ? (["pose", "ball"] as const)
+        .map((what) => topicOfRobot(robot, what))
+        .filter((topic) => memory.get(topic))
+        .map((topic) => `${topic}${kError}`)
     : [];
   const numbers = objects.flatMap(numbersOf);
   return [...errors, ...numbers];

@@ -4,9 +4,10 @@ import type { Channel } from "../source/texts";
 import type { Entry } from "./history";
 import { GameEvents } from "./game_events";
 import { LogHistory } from "./log_history";
-import { MemoryObject, type Moment, type RobotName } from "./memory_object";
+import { isKind, MemoryObject, topicOfRobot, type Moment, type RobotName } from "./memory_object";
 import { Past } from "./past";
 import type { Played } from "./played";
+import type { LogText, RobotObject, RobotObjects, WorldObject, WorldObjects } from "./schema";
 import { ServerClock } from "./server_clock";
 import { simulationOf } from "./simulation";
 
@@ -185,6 +186,16 @@ export class Memory {
     return this.#objects.get(topic);
   }
 
+  /** Returns one of our objects of a robot. */
+  of<Name extends RobotObject>(robot: RobotName, name: Name): MemoryObject<RobotObjects[Name]> | undefined {
+    return this.get(topicOfRobot(robot, name)) as MemoryObject<RobotObjects[Name]> | undefined;
+  }
+
+  /** Returns one of our objects that belong to no robot. */
+  world<Topic extends WorldObject>(topic: Topic): MemoryObject<WorldObjects[Topic]> | undefined {
+    return this.get(topic) as MemoryObject<WorldObjects[Topic]> | undefined;
+  }
+
   /** [s] since the shown value of `object` was captured. Undefined without a value or without the server's time. */
   age(object: MemoryObject, now: number): number | undefined {
     return object.shown && this.ageOf(object.shown.log_ns, now);
@@ -239,6 +250,6 @@ const kRetained = 1; // [s] a value that comes so much later than others was ret
 const lagOf = ({ log_ns, arrived }: Entry): number => arrived - Number(log_ns) / 1e9;
 
 /** Objects in which a server reports on itself, also while its robot is silent. */
-const kOwnKinds = ["runtime", "log", "clock"];
+const kOwnKinds: readonly string[] = ["runtime", "log", "clock"] satisfies RobotObject[];
 
-const isLog = (object: MemoryObject): boolean => object.kind === "log" && !object.derived;
+const isLog = (object: MemoryObject): object is MemoryObject<LogText> => isKind(object, "log") && !object.derived;

@@ -4,6 +4,8 @@ import type { Channel } from "../source/texts";
 import { decoderOf, type Decoded, type Decoder } from "./decoder";
 import { History, type Entry } from "./history";
 import { Rate } from "./rate";
+import type { RobotObject, RobotObjects } from "./schema";
+import type { Fields, Unknown } from "./value";
 
 /** `""` for objects without a robot, such as /truth/world and the lab server's own. */
 export type RobotName = string;
@@ -20,6 +22,21 @@ export function objectOf(channel: Pick<Channel, "topic" | "metadata">): string {
   return channel.topic.startsWith(prefix) ? channel.topic.slice(prefix.length) : channel.topic.replace(/^\//, "");
 }
 
+/** Reports whether an object is one of ours by its last name: "runtime" of /14/2/runtime and of /lab/1/runtime. */
+export const isKind = <Name extends RobotObject>(
+  object: MemoryObject,
+  name: Name,
+): object is MemoryObject<RobotObjects[Name]> => object.kind === name;
+
+/** Reports whether a topic is that of one of our objects, of any robot: "/14/2/ball". */
+export const isTopicOf = (topic: string, name: RobotObject): boolean => topic.endsWith(`/${name}`);
+
+/** Returns the topic of one of our objects of a robot: "/14/2/ball". */
+export const topicOfRobot = (robot: RobotName, name: RobotObject): string => `/${robot}/${name}`;
+
+/** Returns the shown fields of an object, or none without an object or a message that can be decoded. */
+export const valueOf = <M>(object: MemoryObject<M> | undefined): Fields<M> => object?.decoded()?.fields ?? new Map();
+
 /** The moment that all objects of a server show: a capture time, or undefined for now. */
 export interface Moment {
   ns: bigint | undefined;
@@ -27,7 +44,8 @@ export interface Moment {
   still?: boolean;
 }
 
-export class MemoryObject {
+/** `M`: the type of its messages, if it is one of ours. */
+export class MemoryObject<M = Unknown> {
   readonly robot: RobotName;
   readonly name: string;
   /** The object's last name: "runtime" of /14/2/runtime and of /lab/1/runtime. */
@@ -51,7 +69,7 @@ export class MemoryObject {
   outdated = false;
 
   #decoder: Decoder | undefined; // created on first use: most schemas are never needed
-  #decoded: { entry: Entry; value: Decoded } | undefined;
+  #decoded: { entry: Entry; value: Decoded<M> } | undefined;
   // the last result of the search in the history
   #shown: { ns: bigint; end: number; generation: number; entry: Entry | undefined } | undefined;
 
@@ -94,7 +112,7 @@ export class MemoryObject {
   }
 
   /** Decodes the shown message, once and on demand. Undefined if there is none. */
-  decoded(): Decoded | undefined {
+  decoded(): Decoded<M> | undefined {
     const entry = this.shown;
     if (!entry) return undefined;
     if (this.#decoded?.entry !== entry) this.#decoded = { entry, value: this.decode(entry.data) };
@@ -102,9 +120,9 @@ export class MemoryObject {
   }
 
   /** Decodes any message of the object. */
-  decode(data: Uint8Array): Decoded {
+  decode(data: Uint8Array): Decoded<M> {
     this.#decoder ??= decoderOf(this.channel);
-    return this.#decoder(data);
+    return this.#decoder(data) as Decoded<M>;
   }
 
   /** [Hz] now, or at the chosen moment. */

@@ -1,7 +1,9 @@
 // Places in messages, and their way into the frame `field`: belief against truth.
 
 import { valueAt, type Step } from "./paths";
-import { kTruthTopic } from "./vocabulary";
+import { isTopicOf, topicOfRobot } from "./memory_object";
+import type { GameState, MessageName } from "./schema";
+import { kTruth } from "./vocabulary";
 import { numberOf, type Fields } from "./value";
 
 /** Returns the newest message of a topic, or undefined before the first one. */
@@ -23,13 +25,13 @@ const kNested: Record<string, Frame> = {
   "foresight.Pose.Particle": "team_field",
   "foresight.Opponents.Opponent": "team_field",
   "foresight.SharedBall": "team_field",
-};
+} satisfies Partial<Record<MessageName, Frame>>;
 
 /** Returns the frame of a message in an object, or undefined if the frame is not known. `inside`: it is not the whole object. */
 export function frameOf(topic: string, inside: boolean, message: string): Frame | undefined {
-  if (topic === kTruthTopic) return "field";
-  if (!inside && topic.endsWith("/ball")) return "robot";
-  if (!inside && topic.endsWith("/pose")) return "team_field";
+  if (topic === kTruth) return "field";
+  if (!inside && isTopicOf(topic, "ball")) return "robot";
+  if (!inside && isTopicOf(topic, "pose")) return "team_field";
   return kNested[message];
 }
 
@@ -43,9 +45,12 @@ export function placeAt(fields: Fields | undefined, steps: Step[]): Place | unde
 
 /** Lists the objects that toField() reads for a place in `frame`. */
 export const topicsOfFrame = (frame: Frame, robot: string): string[] => [
-  ...(frame === "robot" ? [`/${robot}/pose`] : []),
-  ...(frame === "field" ? [] : [`/${robot}/game`]),
+  ...(frame === "robot" ? [topicOfRobot(robot, "pose")] : []),
+  ...(frame === "field" ? [] : [topicOfRobot(robot, "game")]),
 ];
+
+/** Reports whether `team_field` is `field` turned by π, because the own team attacks towards -x. */
+export const isTurned = (game: Fields<GameState> | undefined): boolean => game?.get("attacks_positive_x") === false;
 
 /**
  * Converts a place of a robot to `field`. Undefined if the robot's pose is not known. While the direction of play is not
@@ -53,8 +58,8 @@ export const topicsOfFrame = (frame: Frame, robot: string): string[] => [
  */
 export function toField(place: Place | undefined, frame: Frame, robot: string, look: Look): Place | undefined {
   if (!place || frame === "field") return place;
-  const seen = frame === "team_field" ? place : seenFrom(placeAt(look(`/${robot}/pose`), []), place);
-  if (!seen || look(`/${robot}/game`)?.get("attacks_positive_x") !== false) return seen;
+  const seen = frame === "team_field" ? place : seenFrom(placeAt(look(topicOfRobot(robot, "pose")), []), place);
+  if (!seen || !isTurned(look(topicOfRobot(robot, "game")))) return seen;
   return { x: -seen.x, y: -seen.y, heading: seen.heading + Math.PI };
 }
 

@@ -20,7 +20,7 @@ test("a simulation reports its state, and without one the state is undefined", (
     ["away", team(5, 1)],
   ]);
   const memory = {
-    get: (topic: string) => (topic === "/sim/state" ? { decoded: () => ({ fields }) } : undefined),
+    world: (topic: string) => (topic === "/sim/state" ? { decoded: () => ({ fields }) } : undefined),
   } as unknown as Memory;
   expect(simulationOf(memory)).toEqual({
     paused: true,
@@ -32,5 +32,5 @@ test("a simulation reports its state, and without one the state is undefined", (
     home: { number: 14, strategy: "baseline", score: 2 },
     away: { number: 5, strategy: "baseline", score: 1 },
   });
-  expect(simulationOf({ get: () => undefined } as unknown as Memory)).toBeUndefined();
+  expect(simulationOf({ world: () => undefined } as unknown as Memory)).toBeUndefined();
 });

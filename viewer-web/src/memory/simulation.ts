@@ -1,9 +1,10 @@
 // The state of a simulated game, from the object /sim/state.
 
 import type { Memory } from "./memory";
+import type { SimulatedTeam as TeamMessage, WorldObject } from "./schema";
 import { fieldsOf, numberOf, textOf, type Fields } from "./value";
 
-export const kSimulation = "/sim/state";
+export const kSimulation = "/sim/state" satisfies WorldObject;
 
 export interface SimulatedTeam {
   number: number;
@@ -27,7 +28,7 @@ export interface Simulation {
 
 /** Returns undefined if there is no simulation. */
 export function simulationOf(memory: Memory): Simulation | undefined {
-  const fields = memory.get(kSimulation)?.decoded()?.fields;
+  const fields = memory.world(kSimulation)?.decoded()?.fields;
   return (
     fields && {
       paused: fields.get("paused") === true,
@@ -42,7 +43,7 @@ export function simulationOf(memory: Memory): Simulation | undefined {
   );
 }
 
-const teamOf = (fields: Fields): SimulatedTeam => ({
+const teamOf = (fields: Fields<TeamMessage>): SimulatedTeam => ({
   number: numberOf(fields, "number"),
   strategy: textOf(fields, "strategy"),
   score: numberOf(fields, "score"),

@@ -44,7 +44,10 @@ test("every object `runtime` counts, the server's own before the robot's", () =>
     if (!topic.startsWith("/5")) object.arrived(1n, percept({ note: topic }), 0); // one of them has no message yet
     return object;
   });
-  expect(runtimesOf(objects).map((runtime) => textOf(runtime, "note"))).toEqual(["/lab/1/runtime", "/14/2/runtime"]);
+  expect(runtimesOf(objects).map((runtime: Fields) => textOf(runtime, "note"))).toEqual([
+    "/lab/1/runtime",
+    "/14/2/runtime",
+  ]);
   expect(runtimesOf([])).toEqual([]);
 });
 

@@ -1,6 +1,7 @@
 // The robot's statistics of its own streams: the object `runtime`, read by field name.
 
-import type { MemoryObject } from "./memory_object";
+import { isKind, type MemoryObject } from "./memory_object";
+import type { RuntimeStatistics, RuntimeStatistics_Consumer, RuntimeStatistics_Stream } from "./schema";
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "./value";
 
 /** The robot's counts of one stream, also while this page is not subscribed. */
@@ -27,25 +28,27 @@ const none = (): StreamStatistics => ({
   sequence: NaN,
   dropped: { inside: 0, recording: 0, viewers: 0 },
 });
-const dropped = (fields: Fields): number => numberOf(fields, "dropped") || 0;
+const dropped = (fields: Fields<Pick<RuntimeStatistics_Consumer, "dropped">>): number =>
+  numberOf(fields, "dropped") || 0;
 
 /**
  * Returns all `runtime` objects, the server's own first. For a played recording this is the lab server's; the robot's
  * own `runtime` then describes the robot at that time.
  */
-export const runtimesOf = (objects: MemoryObject[]): Fields[] =>
+export const runtimesOf = (objects: MemoryObject[]): Fields<RuntimeStatistics>[] =>
   objects
-    .filter(({ kind, derived }) => kind === "runtime" && !derived)
+    .filter((object) => isKind(object, "runtime"))
+    .filter(({ derived }) => !derived)
     .sort((a, b) => Number(a.robot !== "") - Number(b.robot !== ""))
     .flatMap((object) => object.decoded()?.fields ?? []);
 
 /** Statistics of all streams by topic. If two report the same stream, the first of `runtimes` counts. */
-export const allStreamStatistics = (runtimes: Fields[]): Map<string, StreamStatistics> =>
+export const allStreamStatistics = (runtimes: Fields<RuntimeStatistics>[]): Map<string, StreamStatistics> =>
   new Map([...runtimes].reverse().flatMap((runtime) => [...streamStatistics(runtime)]));
 
-export function streamStatistics(runtime: Fields): Map<string, StreamStatistics> {
+export function streamStatistics(runtime: Fields<RuntimeStatistics>): Map<string, StreamStatistics> {
   const streams = new Map<string, StreamStatistics>();
-  const of = (fields: Fields): StreamStatistics => {
+  const of = (fields: Fields<Pick<RuntimeStatistics_Stream, "topic">>): StreamStatistics => {
     const topic = textOf(fields, "topic");
     if (!streams.has(topic)) streams.set(topic, none());
     return streams.get(topic)!;
@@ -63,7 +66,7 @@ export function streamStatistics(runtime: Fields): Map<string, StreamStatistics>
   return streams;
 }
 
-export function recordingStatistics(runtime: Fields): RecordingStatistics | undefined {
+export function recordingStatistics(runtime: Fields<RuntimeStatistics>): RecordingStatistics | undefined {
   const recording = fieldsOf(runtime, "recording");
   if (recording.size === 0) return undefined;
   return {
@@ -87,7 +90,7 @@ export interface ProcessStatistics {
   uptime: number;
 }
 
-export function processStatistics(runtime: Fields): ProcessStatistics | undefined {
+export function processStatistics(runtime: Fields<RuntimeStatistics>): ProcessStatistics | undefined {
   const process = fieldsOf(runtime, "process");
   if (process.size === 0) return undefined;
   return {
@@ -113,10 +116,11 @@ export interface ClientStatistics {
   queued_bytes: number;
 }
 
-export function clientStatistics(runtime: Fields): ClientStatistics[] {
+export function clientStatistics(runtime: Fields<RuntimeStatistics>): ClientStatistics[] {
   return listOf(runtime, "clients").map((client) => {
     const channels = listOf(client, "channels");
-    const sum = (name: string) => channels.reduce((total, channel) => total + (numberOf(channel, name) || 0), 0);
+    const sum = (name: "sent" | "dropped" | "queued_bytes") =>
+      channels.reduce((total, channel) => total + (numberOf(channel, name) || 0), 0);
     return {
       id: numberOf(client, "id"),
       address: textOf(client, "address"),
@@ -150,7 +154,7 @@ export interface LinkStatistics {
   message: string;
 }
 
-export function linkStatistics(runtime: Fields): LinkStatistics[] {
+export function linkStatistics(runtime: Fields<RuntimeStatistics>): LinkStatistics[] {
   return listOf(runtime, "links").map((link) => ({
     name: textOf(link, "name"),
     robot: textOf(link, "robot"),

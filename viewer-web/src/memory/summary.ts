@@ -4,6 +4,7 @@ import { byTime } from "../source/by_time";
 import { recordedIn, type Recorded } from "../source/mcap";
 import { decoderOf } from "./decoder";
 import { changesTold, type EventKind } from "./game_events";
+import type { DecisionTrace, RobotObject } from "./schema";
 import { textOf, type Fields } from "./value";
 
 export interface Summary {
@@ -14,7 +15,7 @@ export interface Summary {
 }
 
 /** The objects that are read. The size of each is limited, so that a list of recordings appears at once. */
-export const kSummarised = ["game", "motion_status", "decision"];
+export const kSummarised: readonly string[] = ["game", "motion_status", "decision"] satisfies RobotObject[];
 export const kMostSummarised = 4_000_000; // [bytes]
 
 const kMostEvents = 500;
@@ -24,7 +25,7 @@ export function summaryOf(files: { name: string; file: Uint8Array }[]): Summary 
   const summary: Summary = { events: [], skills: [] };
   for (const { name, file } of files) {
     const recorded = recordedIn(file);
-    if (name === "decision") readSkills(recorded, summary);
+    if (name === ("decision" satisfies RobotObject)) readSkills(recorded, summary);
     else readEvents(name, recorded, summary);
   }
   summary.events.sort(byTime);
@@ -50,8 +51,9 @@ function readEvents(name: string, recorded: Recorded, summary: Summary): void {
 }
 
 function readSkills(recorded: Recorded, { skills }: Summary): void {
+  const skillOf = (decision: Fields<DecisionTrace>) => textOf(decision, "skill");
   for (const { log_ns, fields } of decoded(recorded)) {
-    const skill = textOf(fields, "skill");
+    const skill = skillOf(fields);
     if (skills.at(-1)?.skill !== skill) skills.push({ from_ns: log_ns, skill });
   }
 }

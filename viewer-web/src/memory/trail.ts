@@ -1,18 +1,19 @@
 // The places of something during the last seconds, from an object's history, each decoded once.
 
 import type { MemoryObject } from "./memory_object";
-import type { Fields } from "./value";
+import type { Fields, Unknown } from "./value";
 
 const kHz = 10; // [1/s] points of a trail
 const kMost = 400; // [points] kept decoded
 
-export class Trail<T> {
+/** `M` as for Fields. */
+export class Trail<T, M = Unknown> {
   #points = new Map<number, T | undefined>(); // by the message's number
   #generation = 0;
 
   constructor(
-    readonly object: MemoryObject,
-    readonly read: (fields: Fields, log_ns: bigint) => T | undefined,
+    readonly object: MemoryObject<M>,
+    readonly read: (fields: Fields<M>, log_ns: bigint) => T | undefined,
   ) {}
 
   /** Returns the points of the last `duration` [s] up to the shown message, oldest first. */

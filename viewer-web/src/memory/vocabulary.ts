@@ -1,6 +1,7 @@
 // The names that an expression may use: the objects that a server announces, and their fields.
 
 import type { Memory } from "./memory";
+import type { WorldObject } from "./schema";
 import { ofFields, shapeOf, type Shape } from "./shape";
 
 export interface Vocabulary {
@@ -11,7 +12,7 @@ export interface Vocabulary {
   shapeOf(topic: string): Shape;
 }
 
-export const kTruthTopic = "/truth/world";
+export const kTruth = "/truth/world" satisfies WorldObject;
 
 /** Returns what the objects of `memory` announce now. */
 export function vocabularyOf(memory: Memory, robot: string): Vocabulary {
@@ -46,6 +47,6 @@ export const objectNames = ({ topics }: Vocabulary): string[] => [
 /** Returns the topic of an object as an expression names it, for one robot, or undefined if there is none. */
 export function topicOf({ topics }: Vocabulary, robot: string, name: string): string | undefined {
   const names = name.startsWith("/") ? [name] : [`/${robot}/${name}`, `/${name}`];
-  if (name === "truth") names.push(kTruthTopic);
+  if (name === "truth") names.push(kTruth);
   return names.find((topic) => topics.has(topic));
 }

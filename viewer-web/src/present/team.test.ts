@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import type { Memory } from "../memory/memory";
+import { memoryWith } from "../memory/test_memory";
 import { EnumValue, type Fields, type Value } from "../memory/value";
 import { lossOf, tileOf } from "./team";
 
@@ -14,7 +15,7 @@ function memoryOf(values: Record<string, Record<string, Value>>, age = 0): Memor
     return value && { shown: { log_ns: before(age) }, decoded: () => ({ fields: fields(value) }) };
   };
   const ageOf = (at_ns: bigint) => Number(kNow_ns - at_ns) / 1e9;
-  return { get, ageOf, age: ({ shown }: { shown: { log_ns: bigint } }) => ageOf(shown.log_ns) } as unknown as Memory;
+  return memoryWith({ get, ageOf, age: ({ shown }: { shown: { log_ns: bigint } }) => ageOf(shown.log_ns) });
 }
 const game = (player: Record<string, Value> = {}) => ({
   state: new EnumValue(5, "STATE_PLAYING"),

@@ -1,9 +1,11 @@
 // One robot's state at a glance, for the bar of all robots.
 
 import type { Memory } from "../memory/memory";
-import type { RobotName } from "../memory/memory_object";
+import { valueOf, type RobotName } from "../memory/memory_object";
+import type { Ball, GameState, RobotObject } from "../memory/schema";
 import type { LinkStatistics, StreamStatistics } from "../memory/statistics";
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "../memory/value";
+import { kTruth } from "../memory/vocabulary";
 import { count, duration } from "./format";
 
 /** `wrong`: a person should look; `aside`: it does not play, and that is right. */
@@ -28,16 +30,16 @@ export interface Tile {
   loss: string;
 }
 
-export const kTileObjects = ["game", "motion_status", "decision", "ball", "battery"];
+export const kTileObjects: readonly RobotObject[] = ["game", "motion_status", "decision", "ball", "battery"];
 
+const kAlsoOften: readonly RobotObject[] = ["pose", "joints", "clock"];
 const kGone = 3; // [s] the slowest objects of a playing robot come twice a second
 const kLittle = 0.2; // of the charge
 const kHot = 70; // [°C] the Nao's firmware reduces a motor's torque a little above (Aldebaran's documentation)
 
 /** `still`: nothing is due, because the game or the recording is paused. */
 export function tileOf(memory: Memory, robot: RobotName, now: number, still: boolean): Tile {
-  const object = (name: string) => memory.get(`/${robot}/${name}`);
-  const read = (name: string): Fields => object(name)?.decoded()?.fields ?? new Map();
+  const read = <Name extends RobotObject>(name: Name) => valueOf(memory.of(robot, name));
   const game = read("game");
   const decision = read("decision");
   const charge = numberOf(read("battery"), "charge");
@@ -61,7 +63,7 @@ function stateOf(
   robot: RobotName,
   now: number,
   still: boolean,
-  game: Fields,
+  game: Fields<GameState>,
   fall: string,
 ): Pick<Tile, "state" | "mood"> {
   const silence = silenceOf(memory, robot, now);
@@ -83,21 +85,20 @@ function stateOf(
 
 /** [s] since the newest shown value of the robot. Undefined without any. */
 function silenceOf(memory: Memory, robot: RobotName, now: number): number | undefined {
-  const ages = kTileObjects.concat("pose", "joints", "clock").flatMap((name) => {
-    const object = memory.get(`/${robot}/${name}`);
+  const ages = [...kTileObjects, ...kAlsoOften].flatMap((name) => {
+    const object = memory.of(robot, name);
     return object ? (memory.age(object, now) ?? []) : [];
   });
   return ages.length > 0 ? Math.min(...ages) : undefined;
 }
 
 function liesInTruth(memory: Memory, robot: RobotName): boolean {
-  const world = memory.get("/truth/world")?.decoded()?.fields ?? new Map();
-  return listOf(world, "robots").some(
+  return listOf(valueOf(memory.world(kTruth)), "robots").some(
     (one) => `${numberOf(one, "team")}/${numberOf(one, "player")}` === robot && one.get("fallen") === true,
   );
 }
 
-function ballWords(memory: Memory, ball: Fields, now: number): string {
+function ballWords(memory: Memory, ball: Fields<Ball>, now: number): string {
   const seen = ball.get("seen_ns");
   const age = typeof seen === "bigint" && seen > 0n ? memory.ageOf(seen, now) : undefined;
   if (age === undefined) return "";

@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { memoryWith } from "../memory/test_memory";
 import { Memory } from "../memory/memory";
 import { kPerceptChannel, percept } from "../memory/test_schema";
 import type { Value } from "../memory/value";
@@ -56,7 +57,7 @@ test("the silence of a penalised robot or of a paused game is no fault", () => {
     ]);
     const get = (topic: string) =>
       topic === `/${team}/${player}/game` ? { decoded: () => ({ fields: game }) } : undefined;
-    return { get, age: () => undefined } as unknown as Memory;
+    return memoryWith({ get, age: () => undefined });
   };
   const object = memory.get(kTopic)!;
   expect(warningOf(object, undefined, told(true), 14)).toBeUndefined();

@@ -2,7 +2,7 @@
 
 import { duration, hertz } from "./format";
 import type { Memory } from "../memory/memory";
-import type { MemoryObject } from "../memory/memory_object";
+import { valueOf, type MemoryObject } from "../memory/memory_object";
 import { fieldsOf, listOf, numberOf } from "../memory/value";
 import type { StreamStatistics } from "../memory/statistics";
 
@@ -34,7 +34,7 @@ export function warningOf(
 
 /** A penalised robot stands aside: its objects may pause. */
 function isPenalised({ robot }: MemoryObject, memory: Memory): boolean {
-  const game = memory.get(`/${robot}/game`)?.decoded()?.fields ?? new Map();
+  const game = valueOf(memory.of(robot, "game"));
   const [player] = listOf(fieldsOf(game, "own"), "players").slice(numberOf(game, "own_player") - 1);
   return player?.get("penalised") === true;
 }

@@ -1,6 +1,7 @@
 // Steps by frames: to the next or previous message of the most even object.
 
 import type { MemoryObject } from "../memory/memory_object";
+import type { RobotObject } from "../memory/schema";
 
 const kLongestStep = 100; // frames that the server finds at once
 
@@ -88,7 +89,7 @@ export class FrameSteps {
   }
 }
 
-const kBeats = ["truth/world", "decision", "pose", "joints"];
+const kBeats = ["truth/world", ...(["decision", "pose", "joints"] satisfies RobotObject[])];
 
 /** Returns the object that defines frames: the image, else the world, else the decision or a belief, else the fullest. */
 export function beatOf(objects: MemoryObject[]): MemoryObject | undefined {

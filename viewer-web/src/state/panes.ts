@@ -4,6 +4,7 @@
 // name its number ("plot.4") and may fill the page ("plot!"). Numbers identify panes: the settings of pane 4 stay its
 // own when pane 2 is closed.
 
+import type { FieldPath } from "../memory/value";
 import { kViews, type View } from "./route";
 
 export const kMostPanes = 6;
@@ -377,7 +378,7 @@ export interface Preset {
   other?: number;
 }
 
-const kUsualPlot = "ball.x ball.y"; // of the pane's robot
+const kUsualPlot = (["ball.x", "ball.y"] satisfies FieldPath[]).join(" "); // of the pane's robot
 
 export const kPresets: Preset[] = [
   {

@@ -175,7 +175,7 @@ export class Viewer implements Speaker {
     if (pictures.includes("unknown")) return undefined;
     const seesField = topicsOf(server.memory, server.robots).length > 0;
     if (isWide() && this.#screen.room === "all" && seesField) {
-      const decides = objects.some(({ name }) => name === "decision");
+      const decides = server.memory.of(source.robot, "decision") !== undefined;
       const preset = kPresets.find(
         ({ name }) => name === (decides ? "Why" : pictures.includes("yes") ? "Seeing" : "Match"),
       )!;
