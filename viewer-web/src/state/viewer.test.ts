@@ -1,4 +1,4 @@
-import { afterEach, beforeEach, expect, test } from "vitest";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { kPerceptChannel } from "../memory/test_schema";
 import { kPresets } from "./panes";
 import { announce as announceBy, closePage, openPage, type FakePage } from "./test_page";
