@@ -124,14 +124,14 @@ test("a page that follows is moved by all who follow; a page with its own time i
   await own.page.getByRole("button", { name: "Follow", exact: true }).click();
   await own.page.waitForURL(/follow=yes/);
   const joined = await moment(own.page, "the shared place", (ns) => ns < begin_ns + 20n * kSecond && ns > 0n);
-  await own.page.keyboard.press("Space");
+  await own.page.getByRole("button", { name: "Go on" }).click();
   await Promise.all([goesOn(own.page), goesOn(follower.page)]);
 
   // and leaves, from where the shared playback is
   await own.page.getByRole("button", { name: "Own time" }).click();
   await own.page.waitForURL((url) => !url.href.includes("follow"));
   await own.page.getByRole("button", { name: "Follow", exact: true }).waitFor();
-  await own.page.keyboard.press("Space");
+  await own.page.getByRole("button", { name: "Freeze view" }).click();
   await stands(own.page);
   assert.ok((await moment(own.page, "a moment")) >= joined);
   await goesOn(follower.page);
@@ -193,7 +193,7 @@ test("a playhead of a page's own goes on after a lost connection: place, speed, 
   });
   await page.goto(`${server.http}/#/14/2/field`);
   await goesOn(page);
-  await page.getByLabel("Pace").selectOption({ label: "0.1 ×" });
+  await page.getByLabel("Pace").selectOption({ label: "0.25 ×" });
   await pressStrip(page, 0.6);
   await moment(page, "the pressed place");
   await page.keyboard.press("Space");
@@ -205,7 +205,7 @@ test("a playhead of a page's own goes on after a lost connection: place, speed, 
     await until(() => connection !== lost, "the next connection");
   };
   await lose();
-  await until(async () => (await page.getByLabel("Pace").inputValue()) === "0.1", "the speed");
+  await until(async () => (await page.getByLabel("Pace").inputValue()) === "0.25", "the speed");
   await goesOn(page);
   assert.ok(Math.abs((await place(page)) - before) <= 3, `${await place(page)} after ${before}`);
 
