@@ -328,6 +328,16 @@ test("a process that dies, stalls or talks nonsense ends the run with a sentence
       assert.match(stderr, sentence);
       assert.equal(stderr.match(/foresight-sim: /g).length, 1, stderr);
     }
+  const file = join(folder, "game.mcap");
+  const failed = await run(
+    "foresight-sim",
+    "match",
+    "--home",
+    program("ends", "n == 300 and sys.exit(5)"),
+    "--mcap",
+    file,
+  );
+  assert.deepEqual([failed.status, existsSync(file)], [2, false], "a game that failed leaves no recording");
   // vet detects a behaviour whose decisions depend on more than its input
   const vetted = await run(
     "foresight-sim",
