@@ -67,7 +67,12 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
           store_, options_.records ? &recorder_ : nullptr),
       statistics_(channels_, clock_, board_, store_, options_.records ? &recorder_ : nullptr),
       clock_service_(system_ns() - monotonic_ns()),
-      scenes_{.channels = channels_, .each_second = own.runtime.info().topic, .field = field_of(options_.rules)} {
+      rules_(options_.rules),
+      field_(field_of(options_.rules)),
+      scenes_{.channels = channels_, .each_second = own.runtime.info().topic, .field = [this] {
+                const std::lock_guard guard(rules_lock_);
+                return field_;
+              }} {
   application_.play_by(options_.played);
   application_.draw_downloads_by(options_.foxglove_file);
   application_.know_whole_by(options_.whole);
@@ -153,6 +158,17 @@ void Runtime::run(const std::function<bool()>& tick) {
       if (game_) game_->follow();
       if (monotonic_ns() < next_second) return;
       next_second += kSecond;
+void Runtime::know_rules(const std::string& rules) {
+  {
+    const std::lock_guard guard(rules_lock_);
+    if (!rules_.empty()) return;
+    rules_ = rules;
+    field_ = field_of(rules);
+  }
+  recorder_.know_rules(rules);
+  server_->set_metadata("rules", rules);
+}
+
       every_second();
     });
     if (!done) report(Level::error, "runtime", done.error());

@@ -125,6 +125,9 @@ class Runtime {
 
   /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or SIGINT or SIGTERM
   /// arrives.
+  /// Sets the rules of the game, for viewers and sessions, unless they are known already. Any thread, after start().
+  void know_rules(const std::string& rules);
+
   void run(const std::function<bool()>& tick);
 
   /// Stops the server. After it has returned, no service runs or is called. A second call has no effect.
@@ -152,6 +155,9 @@ class Runtime {
   ClockService clock_service_;
   net::SceneSources scenes_;
   std::optional<GameService> game_;
+  Mutex rules_lock_;  // guards the next two
+  std::string rules_;
+  foresight::Field field_;
   std::optional<logging::RecentPast> recent_;
   std::unique_ptr<net::Server> server_;
 };

@@ -19,6 +19,12 @@ namespace {
 constexpr double kMinutesWanted = 15;
 
 /// Returns the number of the newest version of `channel`, or 0 without one.
+/// Writes session.json anew. A person may have marked the session as kept meanwhile, which stays.
+Result<void> write_info(const std::filesystem::path& folder, SessionInfo info) {
+  if (const Result<Session> session = read_session(folder)) info.kept = session->info.kept;
+  return store_file(folder / "session.json", to_json(info));
+}
+
 std::uint64_t newest_number(const memory::Channel& channel) {
   const memory::VersionPtr newest = channel.newest();
   return newest ? newest->sequence() : 0;
@@ -37,7 +43,12 @@ std::string_view name(RecordingStatus::State state) {
 
 Recorder::Recorder(memory::Channels& channels, LoggingBoard& board, SessionStore& store, const Clock& clock,
                    Origin origin)
-    : channels_(channels), board_(board), store_(store), clock_(clock), origin_(std::move(origin)) {
+    : channels_(channels),
+      board_(board),
+      store_(store),
+      clock_(clock),
+      origin_(std::move(origin)),
+      rules_(origin_.info.rules) {
   // objects that appear during a session join it; while it cannot begin, their versions are counted
   watcher_ = channels_.watch([this](const std::shared_ptr<memory::Channel>& channel) {
     const std::lock_guard guard(lock_);
@@ -125,9 +136,30 @@ Result<std::uint64_t> Recorder::want(std::string_view name, std::string_view pro
 }
 
 void Recorder::tend() {
+void Recorder::know_rules(const std::string& rules) {
+  const std::lock_guard guard(lock_);
+  if (!rules_.empty()) return;
+  rules_ = rules;
+  if (!folder_) return;
+  info_.rules = rules;
+  has_news_ = true;
+}
+
+/// Writes facts about the present session that were learnt after its begin. If the disk does not take them, the end of the
+/// session has them.
+void Recorder::write_news() {
+  std::unique_lock guard(lock_);
+  if (!std::exchange(has_news_, false) || !folder_) return;
+  SessionInfo info = info_;
+  const std::filesystem::path folder = folder_->path();
+  guard.unlock();
+  (void)write_info(folder, std::move(info));
+}
+
   const std::lock_guard working(work_);
   write_ends();
   if (!wish_) return;
+  write_news();
   if (folder_ && is_whole()) return;
   if (folder_) (void)end();
   try_to_begin();
@@ -172,6 +204,7 @@ Result<void> Recorder::begin() {
   for (const auto& channel : channels_.all()) add(channel);
   until_.clear();
   shown_.reset();
+  info_.rules = rules_;
   return {};
 }
 
@@ -186,6 +219,11 @@ Result<void> Recorder::describe(const Wish& wish, const OwnedFolder& folder, Ses
 
 void Recorder::add(const std::shared_ptr<memory::Channel>& channel) {
   const memory::ChannelInfo& info = channel->info();
+  info.only = wish.only;
+  {
+    const std::lock_guard guard(lock_);
+    info.rules = rules_;
+  }
   if (!wants(*channel)) return;
   const bool image = info.schema.name == kImageSchema;
   // a channel that appears while a session begins is added twice: ignore the second time
@@ -312,9 +350,7 @@ void Recorder::write_ends() {
   std::erase_if(ends_, [](End& end) {
     const std::filesystem::path folder = end.folder.present_path();
     if (folder.empty()) return true;
-    // a person may have marked the session as kept while it was being recorded
-    if (const Result<Session> session = read_session(folder)) end.info.kept = session->info.kept;
-    const Result<void> written = store_file(folder / "session.json", to_json(end.info));
+    const Result<void> written = write_info(folder, end.info);
     if (!written && !std::exchange(end.reported, true))
       report(Level::warning, "logging",
              "session " + end.folder.name() + ": its end is written when the disk permits it; " + written.error());

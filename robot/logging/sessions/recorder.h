@@ -98,6 +98,10 @@ class Recorder {
 
   /// Closes the session and returns its id, which is empty if it never began. Returns an Error if none is wanted.
   Result<std::string> stop();
+  /// Sets the rules of sessions whose origin names none: of the present one, its later files, and later sessions. Rules
+  /// that are known already stay.
+  void know_rules(const std::string& rules);
+
 
   RecordingStatus status() const;
 
@@ -145,6 +149,7 @@ class Recorder {
   LoggingBoard& board_;
   SessionStore& store_;
   const Clock& clock_;
+  void write_news();
   const Origin origin_;
   memory::Channels::WatcherId watcher_;
 
@@ -165,6 +170,8 @@ class Recorder {
   std::map<std::string, std::uint64_t> until_;
   std::string advice_;
   std::string loss_;      // one sentence about files that were deleted since the request, or empty
+  bool has_news_ = false;               // info_ has facts that session.json lacks
+  std::string rules_;                   // of the origin, or learnt later
   RecordingStatus last_;  // of the last request, at its end
 };
 
