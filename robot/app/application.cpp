@@ -6,6 +6,8 @@
 
 #include "robot/app/build_id.h"
 #include "robot/core/byte_source.h"
+#include "robot/core/files.h"
+#include "robot/core/folder.h"
 #include "robot/core/json_library.h"
 #include "robot/core/report.h"
 
@@ -69,6 +71,20 @@ Result<net::LogFile> open_file(const logging::Session& session, const std::strin
   const auto kind = std::filesystem::symlink_status(session.folder / file, ignored).type();
   if (kind == std::filesystem::file_type::not_found) return Error{who + "there is no file '" + file + "'"};
   if (kind != std::filesystem::file_type::regular)
+/// The ending of the names of reports, and the largest that is served.
+constexpr std::string_view kReport = ".html";
+constexpr std::size_t kMaxReportBytes = 5'000'000;
+
+/// Returns the names of the reports in a folder.
+json reports_in(const std::filesystem::path& folder) {
+  json reports = json::array();
+  const auto entries = list_folder(folder);
+  if (!entries) return reports;
+  for (const FolderEntry& entry : *entries)
+    if (entry.kind == FolderEntry::Kind::file && entry.name.ends_with(kReport)) reports.push_back(entry.name);
+  return reports;
+}
+
     return Error{who + "expected an ordinary file '" + file + "', got a link, a pipe or a folder, which is not served"};
   auto source = FileSource::open(session.folder / file, Links::refuse);
   if (!source) return Error{who + "the file '" + file + "' cannot be read"};
@@ -95,8 +111,9 @@ std::string Application::status_json() {
 
 std::string Application::sessions_json() {
   json sessions = json::array();
-  for (const logging::Session& session : store_.list_within(kListWithinNs)) sessions.push_back(describe(session));
-  return text({{"sessions", std::move(sessions)}});
+  for (const logging::Session& session : store_.list_within(kListWithinNs))
+    sessions.push_back(describe(session, bool(foxglove_file_)));
+  return text({{"sessions", std::move(sessions)}, {"reports", played_ ? reports_in(store_.folder()) : json::array()}});
 }
 
 Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
@@ -156,6 +173,22 @@ net::HttpResponse Application::recent(const std::vector<std::string>& topics) {
                       {"Content-Disposition", "attachment; filename=\"recent.mcap\""},
                       {"Cache-Control", "no-store"}},
           .body = net::BodyPart{.source = std::move(*file), .offset = 0, .size = size}};
+}
+
+net::HttpResponse Application::report_page(const std::string& page) {
+  if (!played_) return net::Backend::report_page(page);
+  const std::filesystem::path path = store_.folder() / page;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
+    return net::error_response(404, "reports: there is no page '" + page + "' beside the recording");
+  Result<std::string> html = read_file(path, kMaxReportBytes);
+  if (!html) return net::error_response(404, html.error());
+  net::HttpResponse response = net::text_response(200, "text/html; charset=utf-8", std::move(*html));
+  // a page from elsewhere must run no script in the name of the viewer
+  response.headers.emplace_back("Content-Security-Policy",
+                                "default-src 'none'; style-src 'unsafe-inline'; form-action 'none'");
+  response.headers.emplace_back("Cache-Control", "no-cache");
+  return response;
 }
 
 bool Application::match_mode() const { return game_ && game_().match_mode; }

@@ -178,3 +178,22 @@ TEST_F(ServedSession, AnUnknownSessionOrFileIsNamed) {
 
 }  // namespace
 }  // namespace robot::app
+TEST_F(ServedSession, ReportsBesideAPlayedRecordingAreServedWithoutScripts) {
+  ASSERT_TRUE(replace_file(folder / "report.html", "<h1>B is better</h1>"));
+  ASSERT_TRUE(replace_file(folder / "notes.txt", "private"));
+  std::filesystem::create_symlink(folder / "notes.txt", folder / "link.html");
+  EXPECT_EQ(json::parse(application.sessions_json())["reports"], json::array());
+  EXPECT_EQ(application.report_page("report.html").status, 404) << "a robot plays nothing";
+  application.play_by([](const net::PlayedRequest&) { return net::HttpResponse{}; });
+  EXPECT_EQ(json::parse(application.sessions_json())["reports"], json::array({"report.html"}));
+  const net::HttpResponse page = application.report_page("report.html");
+  EXPECT_EQ(page.status, 200);
+  EXPECT_EQ(std::get<std::string>(page.body), "<h1>B is better</h1>");
+  const auto policy =
+      std::ranges::find(page.headers, "Content-Security-Policy", [](const auto& one) { return one.first; });
+  ASSERT_NE(policy, page.headers.end());
+  EXPECT_TRUE(policy->second.starts_with("default-src 'none'; ")) << policy->second;
+  for (const char* none : {"link.html", "none.html", "one"})
+    EXPECT_EQ(application.report_page(none).status, 404) << none;
+}
+

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { sessionsOf } from "../source/http";
-import { lengthOf, otherViewers, partOf, secondsOf, startOf } from "./recording";
+import { reportsOf, sessionsOf } from "../source/http";
+import { choiceOf, clockOf, lengthOf, otherViewers, partOf, secondsOf, startOf } from "./recording";
 
 const kStart_ns = 1795269731000000000n; // 2026-11-21 14:02:11 UTC
 const entry = (more: object) => ({ session: "s", start_ns: String(kStart_ns), ...more });
@@ -59,6 +59,21 @@ test("other viewers get the file's address; web pages only where they may read i
   expect(links("http://10.0.14.2:8765/x")[1]!.searchParams.get("openIn")).toBe("desktop");
   expect(links("http://127.0.0.1:8765/x").map(({ protocol }) => protocol)).toEqual(["https:", "https:"]);
 });
+test("a recording of chosen objects names them, so that nobody takes the others for lost", () => {
+  const said = (only: unknown) => choiceOf(sessionsOf({ sessions: [entry({ only })] })![0]!);
+  for (const none of [undefined, [], "ball", [5, ""]]) expect(said(none)).toBe("");
+  expect(said(["ball"])).toBe("Only chosen objects were recorded: ball.");
+  expect(said(["ball", "pose", "truth/world"])).toBe("Only chosen objects were recorded: ball, pose and truth/world.");
+  expect(said([..."abcdefg"])).toBe("Only chosen objects were recorded: a, b, c, d, e, f and g.");
+  expect(said([..."abcdefgh"])).toBe("Only chosen objects were recorded: a, b, c, d, e, f and 2 more.");
+});
+
+test("reports are pages beside the recordings, and no other address", () => {
+  const reports = ["report.html", "../x.html", "a/b.html", "javascript:x.html", ".html", 5, "x.htm", "a b.html"];
+  expect(reportsOf({ reports })).toEqual(["report.html"]);
+  for (const answer of [undefined, 5, [], {}, { reports: {} }]) expect(reportsOf(answer)).toEqual([]);
+});
+
 
 test("a part of a recording is typed in minutes and seconds, and requested in ns", () => {
   expect(["0:05", "65", "1:05.5", "1:00:00", "", "1:2:3:4", "x", "-1", "1:"].map(secondsOf)).toEqual([

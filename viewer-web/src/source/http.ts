@@ -72,7 +72,7 @@ export function sessionsOf(answer: unknown): Session[] | undefined {
 }
 
 /** Fetches the robot's list of recordings. Rejects with a sentence. */
-export async function fetchSessions(): Promise<Session[]> {
+export async function fetchRecordings(): Promise<Recordings> {
   let response: Response;
   try {
     response = await fetch("/api/sessions", {
@@ -81,11 +81,21 @@ export async function fetchSessions(): Promise<Session[]> {
     });
   } catch {
     throw new Error("The robot does not answer.");
+/** The recordings of a server, and the names of the reports that lie beside them. */
+export interface Recordings {
+  sessions: Session[];
+  reports: string[];
+}
+
+/** Reads the names of the reports in the answer of /api/sessions. */
+export const reportsOf = (answer: unknown): string[] =>
+  isObject(answer) ? texts(answer["reports"]).filter((name) => /^[\w-][\w.-]*\.html$/.test(name)) : [];
+
   }
   if (!response.ok) throw new Error(`The robot refuses to list its recordings (HTTP ${response.status}).`);
   const sessions = sessionsOf(await response.json().catch(() => undefined));
   if (!sessions) throw new Error("The robot's list of recordings cannot be read.");
-  return sessions;
+  return { sessions, reports: reportsOf(answer) };
 }
 
 /** Asks the page's own robot whether a real game is in progress. False without an answer. */
