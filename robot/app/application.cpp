@@ -46,31 +46,31 @@ json describe(const logging::StreamFile& stream, const std::string& session) {
           {"damage", stream.damage}};
 }
 
-json describe(const logging::Session& session) {
+/// `foxglove`: downloads with ?foxglove are made here.
+json describe(const logging::Session& session, bool foxglove) {
+  const std::string url = "/logs/" + session.id() + ".mcap";
   json streams = json::array();
   for (const logging::StreamFile& stream : session.streams) streams.push_back(describe(stream, session.id()));
-  return {{"session", session.id()},         {"name", session.info.name},
-          {"robot", session.info.robot},     {"team", session.info.team},
-          {"player", session.info.player},   {"build", session.info.build},
-          {"profile", session.info.profile}, {"start_ns", exact(session.start_ns)},
-          {"end_ns", exact(session.end_ns)}, {"size_bytes", session.size_bytes},
-          {"state", name(session.state)},    {"message", session.message},
-          {"kept", session.info.kept},       {"url", "/logs/" + session.id() + ".mcap"},
+  return {{"session", session.id()},
+          {"name", session.info.name},
+          {"robot", session.info.robot},
+          {"team", session.info.team},
+          {"player", session.info.player},
+          {"build", session.info.build},
+          {"profile", session.info.profile},
+          {"start_ns", exact(session.start_ns)},
+          {"end_ns", exact(session.end_ns)},
+          {"size_bytes", session.size_bytes},
+          {"state", name(session.state)},
+          {"message", session.message},
+          {"kept", session.info.kept},
+          {"only", session.info.only},
+          {"behind_ns", std::to_string(session.info.behind_ns)},
+          {"url", url},
+          {"foxglove_url", foxglove ? url + "?foxglove" : ""},
           {"streams", std::move(streams)}};
 }
 
-/// A list waits this long for sessions that nobody has read yet.
-constexpr std::uint64_t kListWithinNs = 100 * kMillisecond;
-
-/// Opens a file of a session that is not being recorded. The file's size and time are its version (ETag).
-Result<net::LogFile> open_file(const logging::Session& session, const std::string& file) {
-  const std::string who = "session " + session.id() + ": ";
-  if (session.state == logging::SessionState::recording)
-    return Error{who + "it is being recorded, its files are not complete yet"};
-  std::error_code ignored;
-  const auto kind = std::filesystem::symlink_status(session.folder / file, ignored).type();
-  if (kind == std::filesystem::file_type::not_found) return Error{who + "there is no file '" + file + "'"};
-  if (kind != std::filesystem::file_type::regular)
 /// The ending of the names of reports, and the largest that is served.
 constexpr std::string_view kReport = ".html";
 constexpr std::size_t kMaxReportBytes = 5'000'000;
@@ -85,6 +85,18 @@ json reports_in(const std::filesystem::path& folder) {
   return reports;
 }
 
+/// A list waits this long for sessions that nobody has read yet.
+constexpr std::uint64_t kListWithinNs = 100 * kMillisecond;
+
+/// Opens a file of a session that is not being recorded. The file's size and time are its version (ETag).
+Result<net::LogFile> open_file(const logging::Session& session, const std::string& file) {
+  const std::string who = "session " + session.id() + ": ";
+  if (session.state == logging::SessionState::recording)
+    return Error{who + "it is being recorded, its files are not complete yet"};
+  std::error_code ignored;
+  const auto kind = std::filesystem::symlink_status(session.folder / file, ignored).type();
+  if (kind == std::filesystem::file_type::not_found) return Error{who + "there is no file '" + file + "'"};
+  if (kind != std::filesystem::file_type::regular)
     return Error{who + "expected an ordinary file '" + file + "', got a link, a pipe or a folder, which is not served"};
   auto source = FileSource::open(session.folder / file, Links::refuse);
   if (!source) return Error{who + "the file '" + file + "' cannot be read"};
@@ -163,18 +175,6 @@ net::HttpResponse Application::delete_session(const std::string& session) {
   return {.status = 204};
 }
 
-net::HttpResponse Application::recent(const std::vector<std::string>& topics) {
-  if (!recent_) return net::Backend::recent(topics);
-  Result<std::shared_ptr<const ByteSource>> file = recent_->file(topics);
-  if (!file) return net::error_response(500, file.error());
-  const std::uint64_t size = (*file)->size();
-  return {.status = 200,
-          .headers = {{"Content-Type", "application/octet-stream"},
-                      {"Content-Disposition", "attachment; filename=\"recent.mcap\""},
-                      {"Cache-Control", "no-store"}},
-          .body = net::BodyPart{.source = std::move(*file), .offset = 0, .size = size}};
-}
-
 net::HttpResponse Application::report_page(const std::string& page) {
   if (!played_) return net::Backend::report_page(page);
   const std::filesystem::path path = store_.folder() / page;
@@ -189,6 +189,18 @@ net::HttpResponse Application::report_page(const std::string& page) {
                                 "default-src 'none'; style-src 'unsafe-inline'; form-action 'none'");
   response.headers.emplace_back("Cache-Control", "no-cache");
   return response;
+}
+
+net::HttpResponse Application::recent(const std::vector<std::string>& topics) {
+  if (!recent_) return net::Backend::recent(topics);
+  Result<std::shared_ptr<const ByteSource>> file = recent_->file(topics);
+  if (!file) return net::error_response(500, file.error());
+  const std::uint64_t size = (*file)->size();
+  return {.status = 200,
+          .headers = {{"Content-Type", "application/octet-stream"},
+                      {"Content-Disposition", "attachment; filename=\"recent.mcap\""},
+                      {"Cache-Control", "no-store"}},
+          .body = net::BodyPart{.source = std::move(*file), .offset = 0, .size = size}};
 }
 
 bool Application::match_mode() const { return game_ && game_().match_mode; }

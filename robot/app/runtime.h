@@ -43,12 +43,14 @@
 #include <optional>
 #include <string>
 
+#include "proto/foresight/sim.pb.h"
 #include "robot/app/application.h"
 #include "robot/app/server_settings.h"
 #include "robot/app/services/clock_service.h"
 #include "robot/app/services/game_service.h"
 #include "robot/app/services/statistics_service.h"
 #include "robot/core/clock.h"
+#include "robot/core/lock.h"
 #include "robot/core/report.h"
 #include "robot/core/result.h"
 #include "robot/logging/recent/recent_past.h"
@@ -123,11 +125,11 @@ class Runtime {
   /// when all objects are listed.
   Result<void> record_only(const std::string& objects);
 
-  /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or SIGINT or SIGTERM
-  /// arrives.
   /// Sets the rules of the game, for viewers and sessions, unless they are known already. Any thread, after start().
   void know_rules(const std::string& rules);
 
+  /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or SIGINT or SIGTERM
+  /// arrives.
   void run(const std::function<bool()>& tick);
 
   /// Stops the server. After it has returned, no service runs or is called. A second call has no effect.
@@ -153,11 +155,11 @@ class Runtime {
   Application application_;
   StatisticsService statistics_;
   ClockService clock_service_;
-  net::SceneSources scenes_;
-  std::optional<GameService> game_;
   Mutex rules_lock_;  // guards the next two
   std::string rules_;
   foresight::Field field_;
+  net::SceneSources scenes_;
+  std::optional<GameService> game_;
   std::optional<logging::RecentPast> recent_;
   std::unique_ptr<net::Server> server_;
 };

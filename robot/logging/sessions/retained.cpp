@@ -37,6 +37,7 @@ bool has_only_retained(const Session& session, std::uint64_t recorded_ns) {
 }  // namespace
 
 void leave_out_retained(Session& session, std::uint64_t recorded_ns) {
+  if (session.end_ns > 0 && has_only_retained(session, recorded_ns)) session.start_ns = session.end_ns = recorded_ns;
   if (recorded_ns >= session.end_ns || recorded_ns <= session.start_ns + kNearNs) return;
   std::uint64_t first_ns = recorded_ns;
   for (const StreamFile& stream : session.streams) {

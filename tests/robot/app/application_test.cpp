@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "robot/core/files.h"
@@ -84,6 +85,14 @@ TEST_F(ServedSession, SessionsOfAnyNameAreListed) {
   EXPECT_EQ(session["streams"][0]["messages"], 1);
 }
 
+TEST_F(ServedSession, ItsChosenObjectsAreListedOrNone) {
+  EXPECT_EQ(json::parse(application.sessions_json())["sessions"][0]["only"], json::array());
+  auto writer = logging::SessionWriter::create(folder / "two", {.robot = "14/2", .only = {"a"}});
+  ASSERT_TRUE((*writer)->close());
+  for (const json& session : json::parse(application.sessions_json())["sessions"])
+    EXPECT_EQ(session["only"], session["session"] == "two" ? json::array({"a"}) : json::array());
+}
+
 TEST_F(ServedSession, ADownloadIsReadFromAnyOffset) {
   const auto file = application.open_log({.session = "one"});
   ASSERT_TRUE(file) << file.error();
@@ -163,21 +172,16 @@ TEST_F(ServedSession, DownloadsForOtherViewersAreMadeByWhoeverSetsTheirMaker) {
   EXPECT_EQ(application.open_log({.session = "one", .foxglove = true}).error(),
             "session one: foresight-test makes no downloads with ?foxglove; scripts/logs fetches the session, and "
             "foresight-lab play makes them");
+  const auto offered = [&] { return json::parse(application.sessions_json())["sessions"][0]["foxglove_url"]; };
+  EXPECT_EQ(offered(), "") << "a page offers only what works";
   application.draw_downloads_by([](const auto&, const std::filesystem::path&, const std::string&, const auto&) {
     return Result<std::shared_ptr<const ByteSource>>(Error{"made elsewhere"});
   });
   EXPECT_EQ(application.open_log({.session = "one", .foxglove = true}).error(), "made elsewhere");
+  EXPECT_EQ(offered(), "/logs/one.mcap?foxglove");
   EXPECT_TRUE(application.open_log({.session = "one"}));
 }
 
-TEST_F(ServedSession, AnUnknownSessionOrFileIsNamed) {
-  EXPECT_EQ(application.open_log({.session = "two"}).error(), "session: there is none called 'two'");
-  EXPECT_EQ(application.open_log({.session = "one", .stream = "b"}).error(),
-            "session one: there is no stream 'b.mcap'");
-}
-
-}  // namespace
-}  // namespace robot::app
 TEST_F(ServedSession, ReportsBesideAPlayedRecordingAreServedWithoutScripts) {
   ASSERT_TRUE(replace_file(folder / "report.html", "<h1>B is better</h1>"));
   ASSERT_TRUE(replace_file(folder / "notes.txt", "private"));
@@ -197,3 +201,11 @@ TEST_F(ServedSession, ReportsBesideAPlayedRecordingAreServedWithoutScripts) {
     EXPECT_EQ(application.report_page(none).status, 404) << none;
 }
 
+TEST_F(ServedSession, AnUnknownSessionOrFileIsNamed) {
+  EXPECT_EQ(application.open_log({.session = "two"}).error(), "session: there is none called 'two'");
+  EXPECT_EQ(application.open_log({.session = "one", .stream = "b"}).error(),
+            "session one: there is no stream 'b.mcap'");
+}
+
+}  // namespace
+}  // namespace robot::app

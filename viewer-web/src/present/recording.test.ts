@@ -11,6 +11,18 @@ test("start and length are read from decimal strings of ns, whose digits a numbe
   expect(lengthOf(session!)).toBe("10:00");
 });
 
+test("the start is the time of day, also if the robot's clock was set after its program began", () => {
+  const of = (behind_ns: unknown) => sessionsOf({ sessions: [entry({ behind_ns })] })![0]!;
+  for (const none of [undefined, "0", 180e9, "x", "", "-0"]) {
+    expect(clockOf(of(none))).toBe("");
+    expect(startOf(of(none), "en-GB", "UTC")).toBe("21 Nov 2026, 14:02:11");
+  }
+  expect(startOf(of("180000000000"), "en-GB", "UTC")).toBe("21 Nov 2026, 14:05:11");
+  expect(clockOf(of("180000000000"))).toContain("3:00 behind the time of day");
+  expect(startOf(of("-60000000000"), "en-GB", "UTC")).toBe("21 Nov 2026, 14:01:11");
+  expect(clockOf(of("-60000000000"))).toContain("1:00 ahead of the time of day");
+});
+
 test("an empty or impossible recording has no length", () => {
   for (const times of [
     { start_ns: "", end_ns: "" },
@@ -39,9 +51,27 @@ test("entries that make no sense are left out, links lead only to the robot itse
     sessions: [5, null, {}, entry({ state: "odd", streams: urls.map((url) => ({ url })) })],
   })!;
   expect(sessions).toHaveLength(1);
-  expect(sessions[0]).toMatchObject({ state: "unknown", kept: false });
+  expect(sessions[0]).toMatchObject({ state: "unknown", kept: false, foxglove_url: "" });
+  const drawn = (foxglove_url: string) => sessionsOf({ sessions: [entry({ foxglove_url })] })![0]!.foxglove_url;
+  expect(urls.slice(0, 4).map((url) => drawn(url as string))).toEqual(["", "", "", ""]);
+  expect(drawn("/logs/s.mcap?foxglove")).toBe("/logs/s.mcap?foxglove");
   expect(sessions[0]!.streams.map(({ url }) => url)).toEqual(["", "", "", "", "", "/logs/s.mcap"]);
   for (const answer of [undefined, 5, [], {}, { sessions: {} }]) expect(sessionsOf(answer)).toBeUndefined();
+});
+
+test("a recording of chosen objects names them, so that nobody takes the others for lost", () => {
+  const said = (only: unknown) => choiceOf(sessionsOf({ sessions: [entry({ only })] })![0]!);
+  for (const none of [undefined, [], "ball", [5, ""]]) expect(said(none)).toBe("");
+  expect(said(["ball"])).toBe("Only chosen objects were recorded: ball.");
+  expect(said(["ball", "pose", "truth/world"])).toBe("Only chosen objects were recorded: ball, pose and truth/world.");
+  expect(said([..."abcdefg"])).toBe("Only chosen objects were recorded: a, b, c, d, e, f and g.");
+  expect(said([..."abcdefgh"])).toBe("Only chosen objects were recorded: a, b, c, d, e, f and 2 more.");
+});
+
+test("reports are pages beside the recordings, and no other address", () => {
+  const reports = ["report.html", "../x.html", "a/b.html", "javascript:x.html", ".html", 5, "x.htm", "a b.html"];
+  expect(reportsOf({ reports })).toEqual(["report.html"]);
+  for (const answer of [undefined, 5, [], {}, { reports: {} }]) expect(reportsOf(answer)).toEqual([]);
 });
 
 test("other viewers get the file's address; web pages only where they may read it", () => {
@@ -59,21 +89,6 @@ test("other viewers get the file's address; web pages only where they may read i
   expect(links("http://10.0.14.2:8765/x")[1]!.searchParams.get("openIn")).toBe("desktop");
   expect(links("http://127.0.0.1:8765/x").map(({ protocol }) => protocol)).toEqual(["https:", "https:"]);
 });
-test("a recording of chosen objects names them, so that nobody takes the others for lost", () => {
-  const said = (only: unknown) => choiceOf(sessionsOf({ sessions: [entry({ only })] })![0]!);
-  for (const none of [undefined, [], "ball", [5, ""]]) expect(said(none)).toBe("");
-  expect(said(["ball"])).toBe("Only chosen objects were recorded: ball.");
-  expect(said(["ball", "pose", "truth/world"])).toBe("Only chosen objects were recorded: ball, pose and truth/world.");
-  expect(said([..."abcdefg"])).toBe("Only chosen objects were recorded: a, b, c, d, e, f and g.");
-  expect(said([..."abcdefgh"])).toBe("Only chosen objects were recorded: a, b, c, d, e, f and 2 more.");
-});
-
-test("reports are pages beside the recordings, and no other address", () => {
-  const reports = ["report.html", "../x.html", "a/b.html", "javascript:x.html", ".html", 5, "x.htm", "a b.html"];
-  expect(reportsOf({ reports })).toEqual(["report.html"]);
-  for (const answer of [undefined, 5, [], {}, { reports: {} }]) expect(reportsOf(answer)).toEqual([]);
-});
-
 
 test("a part of a recording is typed in minutes and seconds, and requested in ns", () => {
   expect(["0:05", "65", "1:05.5", "1:00:00", "", "1:2:3:4", "x", "-1", "1:"].map(secondsOf)).toEqual([

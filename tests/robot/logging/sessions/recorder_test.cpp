@@ -11,6 +11,9 @@
 #include <random>
 
 #include "proto/foresight/camera.pb.h"
+#include "robot/core/byte_source.h"
+#include "robot/core/files.h"
+#include "robot/logging/mcap/index.h"
 #include "robot/memory/memory.h"
 #include "tests/support/read_stream.h"
 #include "tests/support/recording.h"
@@ -63,9 +66,6 @@ TEST_F(Recording, DescribesItself) {
   EXPECT_EQ(ball->messages, 1u);
 }
 
-TEST_F(Recording, ContainsOnlyTheNamedObjects) {
-  const std::vector<std::string> names = recorder.object_names();
-  for (const char* name : {"ball", "pose", "truth/world"}) EXPECT_EQ(std::ranges::count(names, name), 1) << name;
 // a robot's clock is often set only after its program began: a half was then told to begin three minutes early
 TEST_F(Recording, SaysHowFarItsTimesAreBehindTheTimeOfDay) {
   std::int64_t behind_ns = 180 * static_cast<std::int64_t>(kSecond);
@@ -111,6 +111,9 @@ TEST_F(Recording, RulesOfItsOriginStay) {
   EXPECT_EQ(store.find(id)->info.rules, "spl2025:5");
 }
 
+TEST_F(Recording, ContainsOnlyTheNamedObjects) {
+  const std::vector<std::string> names = recorder.object_names();
+  for (const char* name : {"ball", "pose", "truth/world"}) EXPECT_EQ(std::ranges::count(names, name), 1) << name;
   const std::string id = *recorder.start("", "game", {"ball", "late"});
   write_ball(1);
   memory->pose.write({}, clock.now_ns());
@@ -129,10 +132,15 @@ TEST_F(Recording, RulesOfItsOriginStay) {
   for (const StreamFile& stream : session->streams) topics.push_back(stream.topic);
   std::ranges::sort(topics);
   EXPECT_EQ(topics, (std::vector<std::string>{"/14/2/ball", "/14/2/late"}));
+  // the session says what was left out by choice, in session.json and in each file
+  EXPECT_EQ(session->info.only, (std::vector<std::string>{"ball", "late"}));
+  std::filesystem::remove(folder.path() / id / "session.json");
+  EXPECT_EQ(read_session(folder.path() / id)->info.only, (std::vector<std::string>{"ball", "late"}));
 
   const std::string all = *recorder.start("", "game");
   ASSERT_TRUE(recorder.stop());
   EXPECT_GT(store.find(all)->streams.size(), 4u) << "the choice is that of one session";
+  EXPECT_TRUE(store.find(all)->info.only.empty());
 }
 
 TEST_F(Recording, RunsOnlyOnceAtATime) {
