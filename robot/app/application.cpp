@@ -6,6 +6,8 @@
 
 #include "robot/app/build_id.h"
 #include "robot/core/byte_source.h"
+#include "robot/core/files.h"
+#include "robot/core/folder.h"
 #include "robot/core/json_library.h"
 #include "robot/core/report.h"
 
@@ -44,17 +46,43 @@ json describe(const logging::StreamFile& stream, const std::string& session) {
           {"damage", stream.damage}};
 }
 
-json describe(const logging::Session& session) {
+/// `foxglove`: downloads with ?foxglove are made here.
+json describe(const logging::Session& session, bool foxglove) {
+  const std::string url = "/logs/" + session.id() + ".mcap";
   json streams = json::array();
   for (const logging::StreamFile& stream : session.streams) streams.push_back(describe(stream, session.id()));
-  return {{"session", session.id()},         {"name", session.info.name},
-          {"robot", session.info.robot},     {"team", session.info.team},
-          {"player", session.info.player},   {"build", session.info.build},
-          {"profile", session.info.profile}, {"start_ns", exact(session.start_ns)},
-          {"end_ns", exact(session.end_ns)}, {"size_bytes", session.size_bytes},
-          {"state", name(session.state)},    {"message", session.message},
-          {"kept", session.info.kept},       {"url", "/logs/" + session.id() + ".mcap"},
+  return {{"session", session.id()},
+          {"name", session.info.name},
+          {"robot", session.info.robot},
+          {"team", session.info.team},
+          {"player", session.info.player},
+          {"build", session.info.build},
+          {"profile", session.info.profile},
+          {"start_ns", exact(session.start_ns)},
+          {"end_ns", exact(session.end_ns)},
+          {"size_bytes", session.size_bytes},
+          {"state", name(session.state)},
+          {"message", session.message},
+          {"kept", session.info.kept},
+          {"only", session.info.only},
+          {"behind_ns", std::to_string(session.info.behind_ns)},
+          {"url", url},
+          {"foxglove_url", foxglove ? url + "?foxglove" : ""},
           {"streams", std::move(streams)}};
+}
+
+/// The ending of the names of reports, and the largest that is served.
+constexpr std::string_view kReport = ".html";
+constexpr std::size_t kMaxReportBytes = 5'000'000;
+
+/// Returns the names of the reports in a folder.
+json reports_in(const std::filesystem::path& folder) {
+  json reports = json::array();
+  const auto entries = list_folder(folder);
+  if (!entries) return reports;
+  for (const FolderEntry& entry : *entries)
+    if (entry.kind == FolderEntry::Kind::file && entry.name.ends_with(kReport)) reports.push_back(entry.name);
+  return reports;
 }
 
 /// A list waits this long for sessions that nobody has read yet.
@@ -95,8 +123,9 @@ std::string Application::status_json() {
 
 std::string Application::sessions_json() {
   json sessions = json::array();
-  for (const logging::Session& session : store_.list_within(kListWithinNs)) sessions.push_back(describe(session));
-  return text({{"sessions", std::move(sessions)}});
+  for (const logging::Session& session : store_.list_within(kListWithinNs))
+    sessions.push_back(describe(session, bool(foxglove_file_)));
+  return text({{"sessions", std::move(sessions)}, {"reports", played_ ? reports_in(store_.folder()) : json::array()}});
 }
 
 Result<net::LogFile> Application::open_log(const net::LogRequest& request) {
@@ -144,6 +173,22 @@ net::HttpResponse Application::delete_session(const std::string& session) {
   if (const Result<void> removed = store_.remove(session); !removed) return net::error_response(409, removed.error());
   report(Level::info, "logs", "session " + session + " was deleted by a client");
   return {.status = 204};
+}
+
+net::HttpResponse Application::report_page(const std::string& page) {
+  if (!played_) return net::Backend::report_page(page);
+  const std::filesystem::path path = store_.folder() / page;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
+    return net::error_response(404, "reports: there is no page '" + page + "' beside the recording");
+  Result<std::string> html = read_file(path, kMaxReportBytes);
+  if (!html) return net::error_response(404, html.error());
+  net::HttpResponse response = net::text_response(200, "text/html; charset=utf-8", std::move(*html));
+  // a page from elsewhere must run no script in the name of the viewer
+  response.headers.emplace_back("Content-Security-Policy",
+                                "default-src 'none'; style-src 'unsafe-inline'; form-action 'none'");
+  response.headers.emplace_back("Cache-Control", "no-cache");
+  return response;
 }
 
 net::HttpResponse Application::recent(const std::vector<std::string>& topics) {

@@ -73,6 +73,7 @@ class Application final : public net::Backend {
   net::HttpResponse whole(const net::Target& target, const net::ClientLeft& left) override {
     return whole_ ? whole_(target, left) : net::Backend::whole(target, left);
   }
+  net::HttpResponse report_page(const std::string& page) override;
   net::HttpResponse recent(const std::vector<std::string>& topics) override;
   bool match_mode() const override;
 

@@ -33,7 +33,8 @@ class Derivation {
  public:
   Derivation(std::shared_ptr<const logging::McapFile> recorded, const std::string& rules)
       : recorded_(std::move(recorded)),
-        sources_{.channels = channels_, .each_second = kFieldSource, .field = field_of(rules)} {
+        sources_{
+            .channels = channels_, .each_second = kFieldSource, .field = [field = field_of(rules)] { return field; }} {
     net::declare_image_parameters(parameters_);
     const auto& index = recorded_->index();
     for (const auto& [id, described] : index.channels) {

@@ -30,6 +30,21 @@ Result<lab::ImportReport> import_bytes(const std::string& format, std::string_vi
   return Error{"import: expected the format bhuman2009, nblog, spl_labels or auto, got '" + format + "'"};
 }
 
+/// The rules by which a recording was played, as far as its format shows them.
+struct PlayedBy {
+  std::string rules;
+  std::string assumed;  // a sentence if no file says it, or empty
+};
+
+PlayedBy rules_of(const std::string& format) {
+  // the league's field was 6 x 4 m until 2012, and a side had three robots until 2010
+  if (format == "bhuman2009")
+    return {"spl2012:3", "assumed: the rules spl2012:3, because the league of 2009 played three a side on 6 x 4 m"};
+  if (format == "nblog")
+    return {"spl2025:5", "assumed: the rules spl2025:5, because the league of 2014 played five a side on 9 x 6 m"};
+  return {kWideField, ""};
+}
+
 logging::SessionInfo session_info(RobotName robot, std::string name, std::string rules, std::uint64_t start_ns) {
   return {.name = std::move(name),
           .robot = robot.text(),
@@ -63,14 +78,16 @@ Result<lab::ImportReport> import_recording(const ImportRequest& request) {
   const Result<std::string> bytes = read_file(request.file, kMaxRecordingBytes);
   if (!bytes) return bytes.failure("import");
   const std::string format = request.format == "auto" ? format_of(*bytes) : request.format;
-  const std::string rules = format == "spl_labels" ? kWideField : "";
-  return write_session(request.session, session_info(request.robot, request.name, rules, kUndatedEpochNs),
+  const PlayedBy played = rules_of(format);
+  return write_session(request.session, session_info(request.robot, request.name, played.rules, kUndatedEpochNs),
                        [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
                          Result<lab::ImportReport> report = import_bytes(format, *bytes, sink);
                          if (report && report->messages.empty())
                            return Error{"import: " + request.file.string() + " contains no message" +
                                         (report->damage.empty() ? "" : ": " + report->damage)};
                          if (!report) return report.failure("import: " + request.file.string());
+                         if (!played.assumed.empty())
+                           report->about += (report->about.empty() ? "" : "; ") + played.assumed;
                          return report;
                        });
 }

@@ -19,7 +19,8 @@ struct ImportRequest {
   std::string name;
 };
 
-/// Writes the session. From a damaged file it imports everything before the damage, and the report names the damage.
+/// Writes the session, with the rules of its game. If no file says them, the session's description says that they are
+/// assumed. From a damaged file it imports everything before the damage, and the report names the damage.
 /// After an Error there is no session.
 Result<lab::ImportReport> import_recording(const ImportRequest& request);
 

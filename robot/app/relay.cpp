@@ -132,13 +132,16 @@ Result<void> relay(const RelayOptions& options) {
   if (options.record)
     if (Result<void> recording = runtime.record(options.name, profile_for(options.pictures)); !recording)
       return recording;
+  // the rules of the first robot that reports some are those of the recording and the page
+  const auto know_rules = [&runtime](const std::string& rules) { runtime.know_rules(rules); };
   for (const lab::RobotAddress& robot : *robots) {
     const std::lock_guard guard(lock);
     links.push_back(std::make_unique<lab::RobotLink>(static_cast<int>(links.size()) + 1,
                                                      lab::LinkOptions{.robot = robot,
                                                                       .pictures = options.pictures,
                                                                       .lossless = options.lossless,
-                                                                      .most_offset_ns = *most_offset_ns},
+                                                                      .most_offset_ns = *most_offset_ns,
+                                                                      .on_rules = know_rules},
                                                      runtime.channels(), claims, clock,
                                                      [&](const std::string& peer, const lab::ClockOffset& offset) {
                                                        own->clock_sample.write(sample_of(peer, offset), clock.now_ns());

@@ -1,6 +1,7 @@
 #include "robot/app/runtime.h"
 
 #include <cstdio>
+#include <mutex>
 #include <utility>
 
 #include "robot/app/build_id.h"
@@ -18,6 +19,13 @@ constexpr std::uint64_t kTickNs = kSecond / 10;
 constexpr std::uint64_t kRoomNs = 10 * kSecond;  // between two attempts to delete old sessions
 
 std::string run_id() { return std::to_string(system_ns() / kMillisecond); }
+
+/// Returns a function that adds up the steps of the system clock since this call [ns].
+std::function<std::int64_t()> steps_since_now() {
+  return [begin_ns = system_ns() - monotonic_ns()] {
+    return static_cast<std::int64_t>(system_ns() - monotonic_ns() - begin_ns);
+  };
+}
 
 foresight::LogText::Level level_of(Level level) {
   switch (level) {
@@ -62,13 +70,19 @@ Runtime::Runtime(RuntimeOptions options, const Clock& clock, OwnObjects own)
                           .team = options_.team,
                           .player = options_.player,
                           .build = std::string(kBuildId),
-                          .rules = options_.rules}}),
+                          .rules = options_.rules},
+                 .behind_ns = steps_since_now()}),
       application_(
           {.name = options_.program, .body = options_.body, .robots = {options_.robot}, .session_id = run_id()}, clock_,
           store_, options_.records ? &recorder_ : nullptr),
       statistics_(channels_, clock_, board_, store_, options_.records ? &recorder_ : nullptr),
       clock_service_(system_ns() - monotonic_ns()),
-      scenes_{.channels = channels_, .each_second = own.runtime.info().topic, .field = field_of(options_.rules)} {
+      rules_(options_.rules),
+      field_(field_of(options_.rules)),
+      scenes_{.channels = channels_, .each_second = own.runtime.info().topic, .field = [this] {
+                const std::lock_guard guard(rules_lock_);
+                return field_;
+              }} {
   application_.play_by(options_.played);
   application_.draw_downloads_by(options_.foxglove_file);
   application_.know_whole_by(options_.whole);
@@ -144,6 +158,17 @@ Result<void> Runtime::record(std::string_view name, std::string_view profile) {
 }
 
 Result<void> Runtime::record_only(const std::string& objects) { return parameters_.set("recording_objects", objects); }
+
+void Runtime::know_rules(const std::string& rules) {
+  {
+    const std::lock_guard guard(rules_lock_);
+    if (!rules_.empty()) return;
+    rules_ = rules;
+    field_ = field_of(rules);
+  }
+  recorder_.know_rules(rules);
+  server_->set_metadata("rules", rules);
+}
 
 void Runtime::run(const std::function<bool()>& tick) {
   std::uint64_t next_second = monotonic_ns();

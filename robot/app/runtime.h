@@ -44,12 +44,14 @@
 #include <optional>
 #include <string>
 
+#include "proto/foresight/sim.pb.h"
 #include "robot/app/application.h"
 #include "robot/app/server_settings.h"
 #include "robot/app/services/clock_service.h"
 #include "robot/app/services/game_service.h"
 #include "robot/app/services/statistics_service.h"
 #include "robot/core/clock.h"
+#include "robot/core/lock.h"
 #include "robot/core/report.h"
 #include "robot/core/result.h"
 #include "robot/logging/recent/recent_past.h"
@@ -124,6 +126,9 @@ class Runtime {
   /// when all objects are listed.
   Result<void> record_only(const std::string& objects);
 
+  /// Sets the rules of the game, for viewers and sessions, unless they are known already. Any thread, after start().
+  void know_rules(const std::string& rules);
+
   /// Does the housekeeping and calls `tick` ten times a second, until `tick` returns false or SIGINT or SIGTERM
   /// arrives.
   void run(const std::function<bool()>& tick);
@@ -151,6 +156,9 @@ class Runtime {
   Application application_;
   StatisticsService statistics_;
   ClockService clock_service_;
+  Mutex rules_lock_;  // guards the next two
+  std::string rules_;
+  foresight::Field field_;
   net::SceneSources scenes_;
   std::optional<GameService> game_;
   std::optional<logging::RecentPast> recent_;

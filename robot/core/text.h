@@ -1,6 +1,7 @@
 // Parts of texts.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,5 +13,8 @@ std::string_view trimmed(std::string_view text);
 /// Returns the parts of `text` between the separators, each as it is written: one more than there are separators. They
 /// point into `text`.
 std::vector<std::string_view> split(std::string_view text, std::string_view separator);
+
+/// Returns the parts with the separator between them, so that split() returns them again.
+std::string joined(const std::vector<std::string>& parts, std::string_view separator);
 
 }  // namespace robot

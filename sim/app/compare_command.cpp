@@ -7,6 +7,7 @@
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/compare_runs.h"
+#include "sim/app/decisive_games.h"
 #include "sim/contest/series.h"
 #include "sim/io/words.h"
 #include "sim/report/contest_page.h"
@@ -31,6 +32,9 @@ class CompareCommand final : public Command {
     options().add_option("--out", task_.out, "folder that keeps the played games");
     options().add_flag("--resume", resume_, "continue the run in --out");
     options().add_option("--html", html_, "file for an HTML page with plots");
+    options().add_option("--games-to", games_to_,
+                         "new folder for recordings of the most decisive games, with a page report.html that links to "
+                         "them; foresight-lab play serves both");
     options().add_flag("--explain", explain_,
                        "list the pairs with the largest gains, and the commands that replay them");
     options().add_flag("--json", task_.json, "report as JSON");
@@ -156,10 +160,17 @@ class CompareCommand final : public Command {
     if (!html_.empty())
       if (const auto written = robot::replace_file(html_, report::page_of(json)); !written)
         return fail(written.error());
+    std::string saved;
+    if (!games_to_.empty()) {
+      const auto page = save_decisive_games(report, games_to_);
+      if (!page) return fail(page.error());
+      saved = "\n" + page->string() + ": the most decisive games; foresight-lab play " + games_to_ +
+              "/seed-N.mcap serves it at /reports/report.html\n";
+    }
     if (task_.json)
       std::printf("%s\n", json.dump(2).c_str());
     else
-      std::fputs(report::to_text(report, explain_).c_str(), stdout);
+      std::fputs((report::to_text(report, explain_) + saved).c_str(), stdout);
     return status_of(report.outcome.verdict);
   }
 
@@ -175,8 +186,13 @@ class CompareCommand final : public Command {
       return "--resume, --verify, --merge and --blocks need --out, the folder of the run";
     if (engine_ == "slurm" && (task_.out.empty() || task_.pairs == 0))
       return "--engine slurm needs --pairs, and --out, a folder that all machines of the cluster see";
-    if ((robust_ || !itself_.empty()) && (!task_.out.empty() || !html_.empty() || engine_ == "slurm"))
-      return "--robust and --aa are several runs: --out, --html and --engine slurm are of one";
+    if ((robust_ || !itself_.empty()) &&
+        (!task_.out.empty() || !html_.empty() || !games_to_.empty() || engine_ == "slurm"))
+      return "--robust and --aa are several runs: --out, --html, --games-to and --engine slurm are of one";
+    if (!games_to_.empty() && (plan_ || verify_ || !task_.blocks.empty() || engine_ == "slurm"))
+      return "--games-to needs a verdict, which --plan, --verify, --blocks and --engine slurm do not have";
+    if (!games_to_.empty())
+      if (const auto usable = check_games_folder(games_to_); !usable) return usable.error();
     if (task_.delta > 0 && !plan_) return "--delta is for --plan; a test is asked by --sprt";
     choice_.pace = every_tick_ ? Pace::every_tick : Pace::thinned;
     if (task_.pairs > 0) contest_.pairs = task_.pairs;
@@ -243,7 +259,7 @@ class CompareCommand final : public Command {
   CompareTask task_;
   contest::ComparisonChoice& choice_ = task_.choice;
   contest::ContestOptions& contest_ = task_.contest;
-  std::string question_, metric_ = "goals", html_, itself_, engine_ = "local";
+  std::string question_, metric_ = "goals", html_, games_to_, itself_, engine_ = "local";
   bool every_tick_ = false, resume_ = false, verify_ = false, plan_ = false, explain_ = false;
   bool robust_ = false, merge_ = false;
 };

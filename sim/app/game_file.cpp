@@ -1,5 +1,6 @@
 #include "sim/app/game_file.h"
 
+#include <system_error>
 #include <utility>
 
 #include "robot/core/byte_sink.h"
@@ -32,6 +33,7 @@ robot::logging::MetadataByName metadata_of(const SimulatedGame& game, std::uint6
                                                .player = 1,
                                                .build = "foresight-sim " FORESIGHT_VERSION,
                                                .profile = "sim",
+                                               .rules = game.names().rules,
                                                .start_ns = kGameEpochNs});
   metadata["foresight.game"] = {{"seed", std::to_string(seed)},
                                 {"home", teams[0].behaviour->name()},
@@ -57,6 +59,7 @@ Result<GameFile> GameFile::create(const std::filesystem::path& path, const Simul
   }
   auto sink = robot::FileSink::create(path);
   if (!sink) return sink.failure();
+  file.draft_ = std::make_unique<Draft>(path);
   const robot::logging::McapOptions options{.metadata = metadata_of(game, seed),
                                             .library = "foresight-sim " FORESIGHT_VERSION,
                                             .compression = robot::logging::Compression::zstd,
@@ -65,6 +68,17 @@ Result<GameFile> GameFile::create(const std::filesystem::path& path, const Simul
   if (!writer) return writer.failure();
   file.file_.emplace(std::move(*writer));
   return file;
+}
+
+GameFile::Draft::~Draft() {
+  std::error_code ignored;
+  if (!complete) std::filesystem::remove(path, ignored);
+}
+
+Result<void> GameFile::close() {
+  Result<void> closed = file_->close();
+  draft_->complete = bool(closed);
+  return closed;
 }
 
 Result<void> GameFile::add(const SimulatedGame& game) {

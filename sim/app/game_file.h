@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot/bridge/narrator.h"
@@ -20,7 +21,8 @@ namespace sim::app {
 /// RoboCup that the thesis was written for.
 inline constexpr std::uint64_t kGameEpochNs = 1'340'020'800'000'000'000;
 
-/// Records the objects that robot::bridge::Narrator writes. Used by one thread.
+/// The recorder of the objects that robot::bridge::Narrator writes. Without a successful close() its end removes the file,
+/// so that a game that failed leaves none. Used by one thread.
 class GameFile {
  public:
   /// Creates the file. Returns an Error if it exists. `seed` goes into the file's metadata.
@@ -30,7 +32,7 @@ class GameFile {
   /// Adds the objects of the game's present tick. Call it at the beginning and after each tick.
   robot::Result<void> add(const robot::bridge::SimulatedGame& game);
 
-  robot::Result<void> close() { return file_->close(); }
+  robot::Result<void> close();
 
   std::uint64_t messages() const { return file_->messages(); }
   std::uint64_t size_bytes() const { return file_->size_bytes(); }
@@ -43,11 +45,23 @@ class GameFile {
     std::uint64_t messages = 0;  // in the file
   };
 
+  /// A file that is removed unless it is complete.
+  struct Draft {
+    explicit Draft(std::filesystem::path file) : path(std::move(file)) {}
+    ~Draft();
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+
+    const std::filesystem::path path;
+    bool complete = false;
+  };
+
   explicit GameFile(const robot::bridge::SimulatedGame& game);
 
   std::unique_ptr<robot::bridge::Narrator> narrator_;
   const robot::bridge::Timeline timeline_{.epoch_ns = kGameEpochNs};
   std::vector<Recorded> channels_;  // in the order of the file
+  std::unique_ptr<Draft> draft_;
   std::optional<robot::logging::McapWriter> file_;
 };
 

@@ -6,8 +6,8 @@
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
-#include "sim/app/game_file.h"
 #include "sim/app/match_statistics.h"
+#include "sim/app/played_game.h"
 #include "sim/app/progress.h"
 #include "sim/contest/openings.h"
 #include "sim/contest/repetition.h"
@@ -22,83 +22,6 @@ namespace sim::app {
 namespace {
 
 constexpr int kMostGames = 1'000'000;
-
-void take_notes(const State& state, const referee::Events& events, report::GameReport& report) {
-  const referee::Book& book = state.book;
-  const auto count = std::min<std::size_t>(static_cast<std::size_t>(events.count), events.list.size());
-  for (std::size_t i = 0; i < count; ++i)
-    report.decisions.push_back({.event = events.list[i],
-                                .half = book.half,
-                                .clock = static_cast<float>(book.clock) * kTickDuration,
-                                .score = {book.score[0], book.score[1]}});
-}
-
-void count_events(report::GameReport& report) {
-  for (const report::Decision& decision : report.decisions) report.result.count(decision.event);
-}
-
-/// Returns the shortest length of a game; dead time makes it longer.
-Tick expected_ticks(const field::Rules& rules) { return ticks(rules.half_duration) * static_cast<Tick>(rules.halves); }
-
-/// Returns the last tick of a game of at most `seconds`; 0: no limit.
-Tick end_of(const State& state, float seconds) { return seconds > 0 ? state.world.tick + ticks(seconds) : kNever; }
-
-/// A requested recording, and its size after the game.
-struct Recording {
-  std::string path;
-  robot::bridge::GameNames names;
-  std::uint64_t messages = 0, size_bytes = 0;
-};
-
-/// Plays a game, with a penalty shoot-out after a draw if asked for, and records it unless `recording` is null. Calls watch(state), unless it is empty, at the beginning and
-/// after each tick.
-robot::Result<report::GameReport> play_one(const contest::Cast& cast, const contest::Openings& openings, float seconds,
-                                           std::uint64_t seed, bool shoot_out, Recording* recording,
-                                           ProgressBar* progress, const std::function<void(const State&)>& watch = {}) {
-  const Params& params = cast.params();
-  report::GameReport report{.seed = seed};
-  referee::Events events;
-  State state = openings.begin(params, seed, events);
-  take_notes(state, events, report);
-  if (watch) watch(state);
-
-  std::optional<robot::bridge::SimulatedGame> game;
-  std::optional<GameFile> file;
-  if (recording) {
-    game.emplace(params, recording->names, state);
-    auto made = GameFile::create(recording->path, *game, seed);
-    if (!made) return made.failure();
-    file.emplace(std::move(*made));
-    if (const auto added = file->add(*game); !added) return added.failure();
-  }
-
-  const Tick end = end_of(state, seconds);
-  const Tick expected = expected_ticks(params.rules);
-  while (!finished(state) && state.world.tick < end && !cast.failed()) {
-    if (game) {
-      game->tick(events);
-      state = game->state();
-      if (const auto added = file->add(*game); !added) return added.failure();
-    } else {
-      step(params, state, events);
-    }
-    take_notes(state, events, report);
-    if (watch) watch(state);
-    if (progress) progress->at(std::min(state.world.tick, expected));
-  }
-  if (file) {
-    if (const auto closed = file->close(); !closed) return closed.failure();
-    recording->messages = file->messages(), recording->size_bytes = file->size_bytes();
-  }
-  if (cast.failed()) return robot::Error{cast.problem()};
-  report.hash = hash_of_game(state);
-  report.result = result_of(state);
-  count_events(report);
-  const bool drawn = finished(state) && state.book.score[0] == state.book.score[1];
-  if (shoot_out && drawn) report.shoot_out = play_shoot_out(params, {.seed = seed});
-  if (cast.failed()) return robot::Error{cast.problem()};
-  return report;
-}
 
 class MatchCommand final : public Command {
  public:
@@ -126,7 +49,9 @@ class MatchCommand final : public Command {
     options().add_flag("--statistics", statistics_, "print figures of the games beside those of real games");
     options().add_option("--html", html_, "with --statistics: file for an HTML page");
     options().add_option("--real", real_, "with --statistics: the real games, a name or a file")->capture_default_str();
-    options().add_option("--mcap", mcap_, "new file for a recording of the game: truth, beliefs and decisions");
+    options().add_option(
+        "--mcap", mcap_,
+        "new file for a recording of the game, without a penalty shoot-out: truth, beliefs and decisions");
     options()
         .add_option(
             "--save-at", save_at_,
@@ -191,7 +116,7 @@ class MatchCommand final : public Command {
     if (!mcap_.empty()) recording = {.path = mcap_, .names = {.rules = choice_.choice().rules, .teams = teams_}};
     const auto report = [&] {
       ProgressBar progress("recording", recording ? expected_ticks(params.rules) : 0);
-      return play_one(cast, openings, seconds_, seed_, shoot_out_, recording ? &*recording : nullptr, &progress,
+      return play_one(cast, openings, wish(seed_), recording ? &*recording : nullptr, &progress,
                       [&](const State& state) {
                         if (!save_at_.empty()) moment->see(state, about);
                       });
@@ -204,10 +129,14 @@ class MatchCommand final : public Command {
       std::printf("%s%s", report::to_text(*report, choice_.choice(), params).c_str(),
                   contest::cost_text(cast.cost(Side::home), cast.cost(Side::away)).c_str());
     if (recording && !json_)
-      std::printf("\n%s: %llu messages, %.1f MB\n", mcap_.c_str(), static_cast<unsigned long long>(recording->messages),
-                  static_cast<double>(recording->size_bytes) / 1e6);
+      std::printf("\n%s: %llu messages, %.1f MB%s\n", mcap_.c_str(),
+                  static_cast<unsigned long long>(recording->messages),
+                  static_cast<double>(recording->size_bytes) / 1e6,
+                  report->shoot_out ? "; it ends with the game, before the penalty shoot-out" : "");
     return kDone;
   }
+
+  GameWish wish(std::uint64_t seed) const { return {.seed = seed, .seconds = seconds_, .shoot_out = shoot_out_}; }
 
   /// Returns the text that tells from which game a saved moment comes.
   std::string origin() const {
@@ -230,7 +159,7 @@ class MatchCommand final : public Command {
     std::vector<report::GameReport> reports(static_cast<std::size_t>(games_));
     contest::Costs costs;
     const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
-      if (auto report = play_one(cast, openings, seconds_, seed, shoot_out_, nullptr, nullptr)) {
+      if (auto report = play_one(cast, openings, wish(seed), nullptr, nullptr)) {
         report->decisions.clear();
         reports[static_cast<std::size_t>(game)] = *std::move(report);
       }

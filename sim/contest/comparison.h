@@ -65,6 +65,10 @@ class Comparison {
   /// Returns the seed of a pair's games.
   std::uint64_t seed_of(std::int64_t number) const { return choice_.seed + static_cast<std::uint64_t>(number); }
 
+  /// The lineup and the start of the game of a pair in which B is at home.
+  const Lineup& lineup_of_b() const { return b_.back().lineup; }
+  const Openings& openings_of_b() const { return b_.back().openings; }
+
   /// The facts that determine every result, as one line of JSON: the choice, hashes of the files' contents, and a hash
   /// of games that these behaviours play on this build.
   const std::string& specification() const { return specification_; }
@@ -90,7 +94,7 @@ class Comparison {
   robot::Result<std::string> probe() const;
 
   ComparisonChoice choice_;
-  std::vector<Seat> a_, b_;  // by the game's place in the pair
+  std::vector<Seat> a_, b_;  // by the game's place in the pair; B is at home in the last one
   std::string specification_;
 };
 

@@ -51,7 +51,9 @@ tr + tr > * { border-top: 1px solid var(--line); } th.a { color: var(--a); } th.
 .keys td { text-align: left; overflow-wrap: anywhere; } .keys td:first-child { white-space: nowrap; width: 1%; padding-right: 22px; }
 .scroll { overflow-x: auto; } code { font: 12.5px/1.5 ui-monospace, "DejaVu Sans Mono", monospace; }
 .replay td { text-align: left; } .replay td:first-child { text-align: right; font-weight: 600; padding-right: 16px; width: 1%; }
-.replay code { display: block; background: var(--code); border-radius: 6px; padding: 5px 9px; overflow-wrap: anywhere; }
+.replay code { display: block; background: var(--code); border-radius: 6px; padding: 5px 9px; margin: 2px 0; overflow-wrap: anywhere;
+  user-select: all; }
+.replay a { color: var(--b); }
 .gain-b { color: var(--b) !important; } .gain-a { color: var(--a) !important; }
 @media print { body { padding: 0; background: #fff; } .card { break-inside: avoid; } }
 )";
@@ -220,20 +222,45 @@ std::string keys(const Json& report) {
   return all + "</table>\n";
 }
 
-std::string decisive(const Json& report) {
+/// Returns the commands of a pair: to watch its recording, or else to make one.
+std::string commands(const Json& pair) {
+  const auto code = [](const std::string& command) { return "<code>" + escaped(command) + "</code>"; };
+  const std::string game = pair.value("game", "");
+  if (game.empty()) return code(pair.at("replay"));
+  return "<a href=\"" + escaped(game) + "\">" + escaped(game) + "</a>" + code("foresight-lab play " + game) +
+         code(pair.at("replay"));
+}
+
+std::string decisive(Json report) {
   std::string all = "<table class=\"replay\">\n";
-  std::vector<Json> pairs = report.at("decisive");
-  std::ranges::stable_sort(pairs, std::greater<>(), [](const Json& pair) { return std::abs(number(pair.at("gain"))); });
-  constexpr std::size_t kShown = 5;
-  for (std::size_t i = 0; i < std::min(kShown, pairs.size()); ++i) {
-    const double gain = number(pairs[i].at("gain"));
-    all += text("<tr><td class=\"%s\">%+g</td><td><code>", gain > 0 ? "gain-b" : "gain-a", gain) +
-           escaped(pairs[i].at("replay")) + "</code></td></tr>\n";
+  for (const Json* pair : shown_pairs(report)) {
+    const double gain = number(pair->at("gain"));
+    all += text("<tr><td class=\"%s\">%+g</td><td>", gain > 0 ? "gain-b" : "gain-a", gain) + commands(*pair) +
+           "</td></tr>\n";
   }
   return all + "</table>\n";
 }
 
+std::string about_decisive(const Json& report) {
+  const bool saved = report.at("decisive").front().contains("game");
+  return saved ? "B's gain; the recorded game in which B is at home; and the command that plays it again. The links "
+                 "open the "
+                 "viewer if <code>foresight-lab play</code> serves this page."
+               : "B's gain, and the command that plays the game in which B is at home; "
+                 "<code>foresight-lab play game.mcap</code> shows it.";
+}
+
 }  // namespace
+
+std::vector<Json*> shown_pairs(Json& report) {
+  constexpr std::size_t kShown = 5;
+  std::vector<Json*> pairs;
+  for (Json& pair : report.at("decisive")) pairs.push_back(&pair);
+  std::ranges::stable_sort(pairs, std::greater<>(),
+                           [](const Json* pair) { return std::abs(number(pair->at("gain"))); });
+  pairs.resize(std::min(kShown, pairs.size()));
+  return pairs;
+}
 
 std::string page_of(const Json& report) {
   const std::string sentence = report.at("sentence");
@@ -278,10 +305,7 @@ std::string page_of(const Json& report) {
       card("Results", "As B sees them: <span class=\"gain-b\">won</span>, drawn, <span class=\"gain-a\">lost</span>.",
            results(report) + goals_table(report));
   if (!report.at("decisive").empty())
-    all += card("The most decisive pairs",
-                "B's gain, and the command that plays the game in which B is at home; "
-                "<code>foresight-lab play game.mcap</code> shows it.",
-                decisive(report), "wide");
+    all += card("The most decisive pairs", about_decisive(report), decisive(report), "wide");
   all += card("What this holds for", "The verdict is about these games and no others.", keys(report), "wide");
   return all + "</div>\n</main></body></html>\n";
 }

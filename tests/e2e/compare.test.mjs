@@ -14,7 +14,7 @@ import {
 import { delimiter, join } from "node:path";
 import { test } from "node:test";
 import { kDesktop, kPhone, open, shoot } from "./browser.mjs";
-import { atEnd, bin, root, run, temporaryFolder, until } from "./support.mjs";
+import { atEnd, bin, getJson, play, root, run, temporaryFolder, until } from "./support.mjs";
 
 // short games, because the tests are about the counting
 const kShort = ["--seconds", "150"];
@@ -328,6 +328,16 @@ test("a process that dies, stalls or talks nonsense ends the run with a sentence
       assert.match(stderr, sentence);
       assert.equal(stderr.match(/foresight-sim: /g).length, 1, stderr);
     }
+  const file = join(folder, "game.mcap");
+  const failed = await run(
+    "foresight-sim",
+    "match",
+    "--home",
+    program("ends", "n == 300 and sys.exit(5)"),
+    "--mcap",
+    file,
+  );
+  assert.deepEqual([failed.status, existsSync(file)], [2, false], "a game that failed leaves no recording");
   // vet detects a behaviour whose decisions depend on more than its input
   const vetted = await run(
     "foresight-sim",
@@ -662,4 +672,56 @@ test("the page shows the figures of the JSON, and needs no other file", async (t
     assert.deepEqual(problems, []);
     await shoot(page, `compare-${scheme}-${viewport.width}`);
   }
+});
+
+test("the decisive games are saved beside the page, whose links open them in the viewer", async (t) => {
+  const folder = join(temporaryFolder(t), "decisive");
+  const words = ["idle", "baseline", "--rules", "spl2012:2,half_duration=30,ready_duration=5", "--pairs", "6"];
+  const { status, stdout, stderr } = await compare(...words, "--games-to", folder);
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /report\.html: the most decisive games; foresight-lab play .*\/seed-N\.mcap serves it at/);
+  const games = readdirSync(folder).filter((name) => name.endsWith(".mcap"));
+  assert.ok(games.length > 0 && games.length <= 5, games.join());
+  assert.deepEqual(
+    readdirSync(folder).filter((name) => !games.includes(name)),
+    ["report.html"],
+  );
+
+  // each file is the game that the page's command plays
+  const html = readFileSync(join(folder, "report.html"), "utf8");
+  const seed = /--seed (\d+)/.exec(html)[1];
+  assert.ok(games.includes(`seed-${seed}.mcap`), seed);
+  const again = join(folder, "..", "again.mcap");
+  const replayed = /foresight-sim (match [^<]*) --mcap game\.mcap/.exec(html)[1].replaceAll("&#39;", "'").split(" ");
+  assert.equal((await run("foresight-sim", ...replayed, "--mcap", again)).status, 0);
+  assert.ok(readFileSync(again).equals(readFileSync(join(folder, `seed-${seed}.mcap`))), "the same game");
+
+  // served by foresight-lab, a link opens the viewer with that game
+  const server = await play(t, folder, join(folder, games[0]));
+  const { page, problems } = await open(t, `${server.http}/#/sessions`, { breaksConnections: true });
+  await page.getByRole("link", { name: "report.html" }).click();
+  await page.getByRole("heading", { name: "The most decisive pairs" }).waitFor();
+  await shoot(page, "compare-decisive");
+  const last = games.at(-1);
+  await page.getByRole("link", { name: last }).click();
+  await page.waitForURL((url) => url.hash.includes(`session=${last}`));
+  if (games.length > 1) await page.getByRole("button", { name: "Watch it" }).click();
+  await until(
+    () =>
+      getJson(server, "/api/status").then(
+        (answer) => answer.body === "recording",
+        () => false,
+      ),
+    "the server plays",
+  );
+  await page.getByRole("region", { name: "Field" }).waitFor();
+  await page.getByText(new RegExp(`seed ${/\d+/.exec(last)[0]}`)).waitFor();
+  await shoot(page, "compare-decisive-field");
+  assert.deepEqual(problems, []);
+
+  const mixed = await compare(...words, "--games-to", folder);
+  assert.deepEqual(
+    [mixed.status, mixed.stderr],
+    [2, `foresight-sim: --games-to: expected a new or an empty folder, got ${folder}\n`],
+  );
 });

@@ -3,122 +3,9 @@ import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { createInterface } from "node:readline";
 import { test } from "node:test";
-
-import { atEnd, require, start, temporaryFolder, until, within } from "./support.mjs";
-
-const kWireless = "10.0.14.2",
-  kWired = "10.1.14.2";
-const State = { initial: 0, ready: 1, set: 2, playing: 3, finished: 4 };
-
-const ip = (...words) => execFileSync("ip", words, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
-
-function whyNot() {
-  if (process.getuid() !== 0) return "network namespaces need root";
-  try {
-    ip("netns", "list");
-    execFileSync("tcpdump", ["--version"], { stdio: "ignore" });
-    return false;
-  } catch (error) {
-    return `no network namespaces, or no tcpdump: ${String(error.message).trim()}`;
-  }
-}
-
-/** Three hosts: the robot, and one at the other end of each of its networks: {robot, field, lab}, words to run there. */
-function network(t) {
-  const id = `fm${process.pid % 100000}`;
-  const hosts = Object.fromEntries(["robot", "field", "lab"].map((name) => [name, `${id}${name[0]}`]));
-  for (const host of Object.values(hosts)) {
-    ip("netns", "add", host);
-    atEnd(t, () => ip("netns", "delete", host));
-    ip("-n", host, "link", "set", "lo", "up");
-  }
-  for (const [device, other, here, there] of [
-    ["wlan0", hosts.field, kWireless, "10.0.14.1"],
-    ["eth0", hosts.lab, kWired, "10.1.14.1"],
-  ]) {
-    ip("link", "add", device, "netns", hosts.robot, "type", "veth", "peer", "name", device, "netns", other);
-    for (const [host, address] of [
-      [hosts.robot, here],
-      [other, there],
-    ]) {
-      ip("-n", host, "address", "add", `${address}/24`, "broadcast", "+", "dev", device);
-      ip("-n", host, "link", "set", device, "up");
-    }
-  }
-  return Object.fromEntries(Object.entries(hosts).map(([name, host]) => [name, ["ip", "netns", "exec", host]]));
-}
-
-/** Starts a program on a host; it reads and writes lines of JSON. */
-function peer(t, host, program) {
-  const prelude =
-    "const say = (what) => console.log(JSON.stringify(what));" +
-    "const hear = (then) => require('readline').createInterface({ input: process.stdin }).on('line', (line) => then(JSON.parse(line)));";
-  const child = spawn(host[0], [...host.slice(1), process.execPath, "-e", prelude + program], {
-    stdio: ["pipe", "pipe", "inherit"],
-  });
-  atEnd(t, () => child.kill("SIGKILL"));
-  const said = [];
-  createInterface({ input: child.stdout }).on("line", (line) => said.push(JSON.parse(line)));
-  return { said, tell: (what) => child.stdin.write(`${JSON.stringify(what)}\n`) };
-}
-
-/** Broadcasts the newest state from its input ten times a second, as the GameController of 2024 does. */
-const gameController = (t, host) =>
-  peer(
-    t,
-    host,
-    `
-  const socket = require("dgram").createSocket("udp4");
-  let state = 0, packet = 0;
-  socket.bind(() => {
-    socket.setBroadcast(true);
-    setInterval(() => {
-      const bytes = Buffer.alloc(118);
-      bytes.write("RGme");
-      bytes.set([18, packet++ & 255, 5, 0, 0, 0, state, 0, 1, 14], 4);
-      bytes.writeInt16LE(600, 14);
-      for (const [at, team] of [[18, 14], [68, 5]]) {
-        bytes[at] = team;
-        bytes.writeUInt16LE(1200, at + 8);
-      }
-      socket.send(bytes, 3838, "10.0.14.255");
-    }, 100);
-  });
-  hear((told) => { state = told; });
-`,
-  );
-
-/** Requests a path repeatedly and prints the status of each answer, or 0 if none comes within a second. */
-const asker = (t, host, address, path) =>
-  peer(
-    t,
-    host,
-    `
-  const ask = async () => {
-    const status = await fetch("http://${address}:8765${path}", { signal: AbortSignal.timeout(1000) }).then((answer) => answer.status, () => 0);
-    say(status);
-    setTimeout(ask, 100);
-  };
-  ask();
-`,
-  );
-
-/** A viewer: prints each text message and the end of the connection. Sends the lines of its input. */
-const viewer = (t, host, address, query) =>
-  peer(
-    t,
-    host,
-    `
-  const { WebSocket } = require(${JSON.stringify(require.resolve("ws"))});
-  const socket = new WebSocket("ws://${address}:8765/${query}", ["foxglove.sdk.v1"]);
-  socket.on("message", (bytes, binary) => { if (!binary) say(JSON.parse(bytes)); });
-  socket.on("error", () => {});
-  socket.on("close", () => say({ op: "closed" }));
-  hear((told) => socket.send(JSON.stringify(told)));
-`,
-  );
+import { asker, gameController, kWired, kWireless, network, questioner, State, viewer, whyNoHosts } from "./hosts.mjs";
+import { atEnd, start, synthesize, temporaryFolder, until, within } from "./support.mjs";
 
 /** All packets from the robot's wireless address: [{seconds, text}] since the capture began. */
 function capture(t, host, file) {
@@ -148,7 +35,7 @@ function capture(t, host, file) {
 
 test(
   "during a game only messages that the rules allow leave over the wireless network",
-  { skip: whyNot() },
+  { skip: whyNoHosts("tcpdump") },
   async (t) => {
     const folder = temporaryFolder(t);
     const { robot, field, lab } = network(t);
@@ -220,6 +107,68 @@ test(
     assert.deepEqual(
       during.filter((packet) => !answers.includes(packet) && !/ARP/.test(packet.text)),
       [],
+    );
+  },
+);
+
+test(
+  "a question with the token is answered by cable during PLAYING, and gets no answer over the wireless network",
+  { skip: whyNoHosts() },
+  async (t) => {
+    const folder = temporaryFolder(t);
+    const { robot, field, lab } = network(t);
+    const words = [
+      "--body",
+      "replay",
+      "--session",
+      await synthesize(folder),
+      "--loop",
+      "--team",
+      "14",
+      "--player",
+      "2",
+    ];
+    const reach = ["--bind", "0.0.0.0", "--port", "8765", "--wireless", "wlan0", "--game-controller"];
+    await start(t, folder, [...robot, "foresight-robot"], ...words, ...reach);
+    const token = readFileSync(join(folder, "state/token"), "utf8").trim();
+    const question = { budget_ms: 200, horizon: 2 };
+    const ask = async (who, what) => {
+      const before = who.said.length;
+      who.tell(question);
+      return until(() => who.said.slice(before).find(({ op }) => op !== "ready"), what);
+    };
+
+    // before the game both networks answer
+    const game = gameController(t, field);
+    const byAir = questioner(t, field, kWireless, `?token=${token}`);
+    const byCable = questioner(t, lab, kWired, `?token=${token}`);
+    const stranger = questioner(t, lab, kWired, "");
+    for (const [name, who] of Object.entries({ byAir, byCable, stranger }))
+      await until(() => who.said.some(({ op }) => op === "ready"), `the services for ${name}`);
+    const early = await ask(byAir, "the answer by air before the game");
+    assert.equal(early.answer?.ok, true, JSON.stringify(early));
+
+    const state = asker(t, lab, kWired, "/api/status", "(await answer.json()).game.state");
+    for (const next of ["ready", "set", "playing"]) {
+      game.tell(State[next]);
+      await until(() => state.said.at(-1) === next, `the robot in ${next}`);
+    }
+    await until(() => byAir.said.at(-1).op === "closed", "the end of the connection by air");
+    const answered = await ask(byCable, "the answer by cable");
+    assert.equal(answered.answer?.ok, true, JSON.stringify(answered));
+    assert.ok(answered.answer.forecast.strategies.length > 0, JSON.stringify(answered.answer).slice(0, 300));
+    const refused = await ask(stranger, "the refusal without the token");
+    assert.match(JSON.stringify(refused), /needs the control token/);
+
+    const again = questioner(t, field, kWireless, `?token=${token}`);
+    await until(() => again.said.at(-1)?.op === "closed", "no connection by air");
+    assert.equal(again.said.length, 1, "not even our name was sent by air");
+
+    game.tell(State.finished);
+    const after = questioner(t, field, kWireless, `?token=${token}`);
+    await until(
+      () => after.said.some(({ op }) => op === "ready" || op === "closed"),
+      "an answer by air after the game",
     );
   },
 );

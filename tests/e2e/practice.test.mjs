@@ -86,6 +86,12 @@ test("a recording contains the objects with a tick", async (t) => {
       .sort() ?? [];
   await until(async () => (await files()).join() === "/14/2/inertial,/14/2/joints", "the two files", undefined, files);
   assert.equal((await getJson(server, "/api/status")).recording.dropped, 0);
+
+  // the card says what was left out by choice
+  const card = page.getByRole("article").filter({ hasText: "recording" });
+  await card.getByText("Only chosen objects were recorded: inertial and joints.").waitFor();
+  await shootEach(page, "chosen");
+  assert.equal(await page.getByRole("link", { name: "Download with scenes" }).count(), 0, "a robot makes none");
   assert.deepEqual(problems, []);
 });
 

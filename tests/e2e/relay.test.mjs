@@ -1,6 +1,7 @@
 // Live robots through a machine of the lab: their channels at the relay, and the relay's recording.
 import assert from "node:assert/strict";
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
+import net from "node:net";
 import { join } from "node:path";
 import { test } from "node:test";
 import { open, shoot } from "./browser.mjs";
@@ -29,6 +30,15 @@ function relay(t, robots, ...args) {
   const folder = temporaryFolder(t);
   const words = robots.map((one) => (typeof one === "string" ? one : `127.0.0.1:${one.port}`));
   return start(t, folder, "foresight-lab", "relay", ...words, "--log-dir", join(folder, "logs"), ...args);
+}
+
+/** A port of this machine on which nobody listens. */
+async function freePort() {
+  const server = net.createServer();
+  await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
+  const { port } = server.address();
+  await new Promise((closed) => server.close(closed));
+  return port;
 }
 
 /** All that a server recorded, by topic, once recording has ended. */
@@ -139,6 +149,25 @@ test("two robots, each over one connection: viewers see all of both, and the rel
   }
   const { stdout } = await run("foresight-lab", "info", join(lab.folder, "logs", mine.entry.session), "--json");
   assert.ok(JSON.parse(stdout).streams.every(({ missing }) => missing === 0));
+});
+
+test("the relay's page and recording have the rules of the robot's game, also of a robot that starts later", async (t) => {
+  const port = String(await freePort());
+  const lab = await relay(t, [`127.0.0.1:${port}`], "--record");
+  const live = await Live.open(t, lab);
+  assert.equal(live.infos[0].metadata.rules, undefined);
+  await simulated(t, 2, "--rules", "spl2025:4", "--port", port);
+  await live.until(() => live.infos.at(-1).metadata.rules === "spl2025:4", "the rules of the robot");
+  await live.until(() => live.channels.has("/14/2/ball"), "its channels");
+  const { page, problems } = await open(t, `${lab.http}/#/14/2/field`);
+  await page.getByRole("region", { name: "Field" }).waitFor();
+  assert.equal(await page.getByLabel("Size of the field").count(), 0, "nobody is asked for the field");
+  const { entry } = await recordedBy(lab, live);
+  const { rules } = JSON.parse(readFileSync(join(lab.folder, "logs", entry.session, "session.json"), "utf8"));
+  assert.equal(rules, "spl2025:4");
+  const file = readFileSync(join(lab.folder, "logs", entry.session, "14.2.ball.mcap"));
+  assert.ok(file.includes("spl2025:4"), "the file of an object names them too");
+  assert.deepEqual(problems, []);
 });
 
 test("the relay and its page show a robot again that was killed and started again", async (t) => {

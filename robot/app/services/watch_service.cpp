@@ -1,6 +1,7 @@
 #include "robot/app/services/watch_service.h"
 
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -10,7 +11,21 @@
 namespace robot::app {
 namespace {
 
+/// Returns the MCAP file with many channels that lies beside the sessions, or nothing.
+std::optional<std::filesystem::path> file_called(const logging::SessionStore& store, const std::string& name) {
+  const std::filesystem::path path(name);
+  std::error_code ignored;
+  if (path.filename() != path || path.extension() != ".mcap") return {};
+  const std::filesystem::path file = store.folder() / path;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored))) return {};
+  return file;
+}
+
 Result<std::filesystem::path> playable(const logging::SessionStore& store, const std::string& name) {
+  if (auto file = file_called(store, name)) {
+    if (const auto replay = body::Replay::open({*file}, {}); !replay) return replay.failure();
+    return *file;
+  }
   const Result<logging::Session> session = store.find(name);
   if (!session) return session.failure();
   if (session->state == logging::SessionState::recording)

@@ -22,8 +22,9 @@ class WatchWish {
   std::optional<std::filesystem::path> session_;
 };
 
-/// Adds `watch_session`: {"session": name} -> {"ok": true}. It opens the session of `folder` for a check and then sets
-/// `wish`, which the program fulfils; all its clients connect again. Both arguments outlive the services.
+/// Adds `watch_session`: {"session": name} -> {"ok": true}. It opens the session of the store for a check and then sets
+/// `wish`, which the program fulfils; all its clients connect again. "game.mcap" names a file with many channels in the
+/// store's folder. Both arguments outlive the services.
 void add_watch_service(net::Services& services, const logging::SessionStore& store, WatchWish& wish);
 
 }  // namespace robot::app

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <map>
 #include <set>
 
 #include "robot/core/clock.h"
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 #include "robot/logging/mcap/ordered_reader.h"
 #include "robot/logging/mcap/topic_streams.h"
 #include "robot/logging/sessions/session_provider.h"
@@ -147,10 +149,17 @@ std::string to_text(const SessionReport& report) {
   std::string text = format("session  %s (%s)\n", session.id().c_str(), std::string(name(session.state)).c_str());
   text += format("robot    %s, profile %s, build %s\n", session.info.robot.c_str(), session.info.profile.c_str(),
                  session.info.build.c_str());
+  if (!session.info.only.empty())
+    text += "objects  " + joined(session.info.only, ", ") + "; the others were left out by choice\n";
   if (!session.info.about.empty()) text += "about    " + session.info.about + "\n";
-  text += format("time     %s UTC, %.1f s\n", utc(session.start_ns).c_str(),
+  text += format("time     %s UTC, %.1f s\n",
+                 utc(session.start_ns + static_cast<std::uint64_t>(session.info.behind_ns)).c_str(),
                  static_cast<double>(session.end_ns - session.start_ns) * 1e-9);
   text += format("size     %.1f MB\n", static_cast<double>(session.size_bytes) * 1e-6);
+  if (session.info.behind_ns != 0)
+    text += format("clock    it was set while the program ran: the recorded times are %.1f s %s the time of day\n",
+                   static_cast<double>(std::abs(session.info.behind_ns)) * 1e-9,
+                   session.info.behind_ns > 0 ? "behind" : "ahead of");
   for (const auto& [peer, offset] : report.clock.peers)
     text += "clock    " + peer + " is " + to_text(offset) + " of that of " + report.clock.who + "\n";
   if (!session.message.empty()) text += "note     " + session.message + "\n";
@@ -195,6 +204,8 @@ nlohmann::json to_json(const SessionReport& report) {
           {"about", session.info.about},
           {"robot", session.info.robot},
           {"profile", session.info.profile},
+          {"only", session.info.only},
+          {"behind_ns", std::to_string(session.info.behind_ns)},
           {"build", session.info.build},
           {"start_ns", std::to_string(session.start_ns)},
           {"end_ns", std::to_string(session.end_ns)},

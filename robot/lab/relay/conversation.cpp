@@ -115,6 +115,8 @@ void Conversation::introduce(const net::foxglove::ServerInfo& info) {
   hears_time_ = std::ranges::find(info.capabilities, "time") != info.capabilities.end();
   robot_ = text_at(info.metadata, "robots");
   update([&](LinkStatus& status) { status.robot = robot_; });
+  const std::string rules = text_at(info.metadata, "rules");
+  if (!rules.empty() && link_.options_.on_rules) link_.options_.on_rules(rules);
   if (!link_.claims_.introduce(robot_, link_.id_))
     report(Level::warning, "relay",
            link_.options_.robot.name + ": " + robot_ + " is relayed from another address already");

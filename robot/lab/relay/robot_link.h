@@ -32,6 +32,8 @@ struct LinkOptions {
   Pictures pictures = Pictures::jpeg;
   bool lossless = false;                        // receive every message; otherwise the robot ends the connection
   std::uint64_t most_offset_ns = 60 * kSecond;  // greatest accepted offset of the robot's clock
+  // gets the rules of the robot's game, if it reports them, before its first message; by the link's thread; may be empty
+  std::function<void(const std::string& rules)> on_rules = {};
 };
 
 /// The state of one link.

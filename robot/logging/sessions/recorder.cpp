@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <mutex>
 #include <utility>
 
@@ -17,6 +18,12 @@ namespace {
 
 /// The recording time for which a new session makes room: a half with its breaks.
 constexpr double kMinutesWanted = 15;
+
+/// Writes session.json anew. A person may have marked the session as kept meanwhile, which stays.
+Result<void> write_info(const std::filesystem::path& folder, SessionInfo info) {
+  if (const Result<Session> session = read_session(folder)) info.kept = session->info.kept;
+  return store_file(folder / "session.json", to_json(info));
+}
 
 /// Returns the number of the newest version of `channel`, or 0 without one.
 std::uint64_t newest_number(const memory::Channel& channel) {
@@ -37,7 +44,12 @@ std::string_view name(RecordingStatus::State state) {
 
 Recorder::Recorder(memory::Channels& channels, LoggingBoard& board, SessionStore& store, const Clock& clock,
                    Origin origin)
-    : channels_(channels), board_(board), store_(store), clock_(clock), origin_(std::move(origin)) {
+    : channels_(channels),
+      board_(board),
+      store_(store),
+      clock_(clock),
+      origin_(std::move(origin)),
+      rules_(origin_.info.rules) {
   // objects that appear during a session join it; while it cannot begin, their versions are counted
   watcher_ = channels_.watch([this](const std::shared_ptr<memory::Channel>& channel) {
     const std::lock_guard guard(lock_);
@@ -124,9 +136,30 @@ Result<std::uint64_t> Recorder::want(std::string_view name, std::string_view pro
   return request_;
 }
 
+void Recorder::know_rules(const std::string& rules) {
+  const std::lock_guard guard(lock_);
+  if (!rules_.empty()) return;
+  rules_ = rules;
+  if (!folder_) return;
+  info_.rules = rules;
+  has_news_ = true;
+}
+
+/// Writes facts about the present session that were learnt after its begin. If the disk does not take them, the end of the
+/// session has them.
+void Recorder::write_news() {
+  std::unique_lock guard(lock_);
+  if (!std::exchange(has_news_, false) || !folder_) return;
+  SessionInfo info = info_;
+  const std::filesystem::path folder = folder_->path();
+  guard.unlock();
+  (void)write_info(folder, std::move(info));
+}
+
 void Recorder::tend() {
   const std::lock_guard working(work_);
   write_ends();
+  write_news();
   if (!wish_) return;
   if (folder_ && is_whole()) return;
   if (folder_) (void)end();
@@ -142,6 +175,12 @@ void Recorder::try_to_begin() {
   shown_.reset();
 }
 
+/// Returns how far the clock is behind the time of day [ns], or 0 for less than a second.
+std::int64_t Recorder::behind_ns() const {
+  const std::int64_t behind_ns = origin_.behind_ns ? origin_.behind_ns() : 0;
+  return std::abs(behind_ns) < static_cast<std::int64_t>(kSecond) ? 0 : behind_ns;
+}
+
 /// Begins the wanted session.
 Result<void> Recorder::begin() {
   const Wish& wish = *wish_;
@@ -149,12 +188,12 @@ Result<void> Recorder::begin() {
   if (room.minutes < 1) return Error{room.sentence};
   (void)store_.make_room(static_cast<std::uint64_t>(kMinutesWanted * wish.profile.mb_per_minute * 1e6),
                          clock_.now_ns());
-  const std::uint64_t start_ns = clock_.now_ns();
-  Result<OwnedFolder> folder =
-      OwnedFolder::make(store_.folder(), session_folder_name(start_ns, wish.name, wish.profile.name));
-  if (!folder) return folder.failure();
   SessionInfo info = origin_.info;
-  info.start_ns = start_ns;
+  info.start_ns = clock_.now_ns();
+  info.behind_ns = behind_ns();
+  Result<OwnedFolder> folder =
+      OwnedFolder::make(store_.folder(), session_folder_name(time_of_day_ns(info), wish.name, wish.profile.name));
+  if (!folder) return folder.failure();
   if (Result<void> described = describe(wish, *folder, info); !described) {
     std::error_code ignored;
     std::filesystem::remove(folder->path() / "session.json", ignored);
@@ -165,6 +204,7 @@ Result<void> Recorder::begin() {
   report(Level::info, "logging", "recording the session " + folder->name());
   const std::lock_guard guard(lock_);
   info_ = std::move(info);
+  info_.rules = rules_;
   advice_ = room.minutes < kMinutesWanted ? room.sentence : "";
   gone_ = std::make_shared<std::atomic<bool>>(false);
   folder_.emplace(std::move(*folder));
@@ -179,6 +219,11 @@ Result<void> Recorder::begin() {
 Result<void> Recorder::describe(const Wish& wish, const OwnedFolder& folder, SessionInfo& info) const {
   info.name = wish.name;
   info.profile = wish.profile.name;
+  info.only = wish.only;
+  {
+    const std::lock_guard guard(lock_);
+    info.rules = rules_;
+  }
   info.number = next_session_number(store_.folder(), store_.greatest_number());
   info.boot = boot_id();
   return store_file(folder.path() / "session.json", to_json(info));
@@ -298,6 +343,7 @@ SessionAccount Recorder::end() {
   SessionInfo info = std::move(info_);
   guard.unlock();
 
+  info.behind_ns = behind_ns();
   info.complete = true;
   info.account = account;
   folder.release();
@@ -312,9 +358,7 @@ void Recorder::write_ends() {
   std::erase_if(ends_, [](End& end) {
     const std::filesystem::path folder = end.folder.present_path();
     if (folder.empty()) return true;
-    // a person may have marked the session as kept while it was being recorded
-    if (const Result<Session> session = read_session(folder)) end.info.kept = session->info.kept;
-    const Result<void> written = store_file(folder / "session.json", to_json(end.info));
+    const Result<void> written = write_info(folder, end.info);
     if (!written && !std::exchange(end.reported, true))
       report(Level::warning, "logging",
              "session " + end.folder.name() + ": its end is written when the disk permits it; " + written.error());

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -49,15 +50,20 @@ std::string_view name(RecordingStatus::State state);
 /// and it continues when the disk accepts bytes again. If the files of the session are deleted or replaced, it counts
 /// their messages as dropped and begins a new session of the same name.
 ///
+/// The times of a session are those of the clock, which a step of the system clock does not move. The folder's name is the
+/// time of day, and session.json says how far the times are behind it, as known at the end.
+///
 /// Each version that the profile wants, from the request to the end, is counted once: as a message in a file or as dropped.
 /// A new session begins with the newest version, which the one before has too. Each session holds its account in
 /// session.json, also if its folder was moved. If the disk takes no session.json at the end, tend() writes it later.
 class Recorder {
  public:
-  /// The origin that is written into the sessions. The recorder sets `name`, `profile`, `start_ns`, `number` and `boot`.
+  /// The origin that is written into the sessions. The recorder sets `name`, `profile`, `only`, `start_ns`,
+  /// `behind_ns`, `number` and `boot`.
   struct Origin {
     SessionInfo info;
     Compression compression = Compression::lz4;
+    std::function<std::int64_t()> behind_ns = {};  // how far the clock is behind the time of day now; may be empty
   };
 
   /// A stream that failed and has nothing to write since counts as healthy if another one reached the disk this long
@@ -91,6 +97,10 @@ class Recorder {
   /// Returns the names of all present objects, once each and ascending: "ball" for "/14/2/ball", "truth/world" for
   /// "/truth/world".
   std::vector<std::string> object_names() const;
+
+  /// Sets the rules of sessions whose origin names none: of the present one, its later files, and later sessions. Rules
+  /// that are known already stay.
+  void know_rules(const std::string& rules);
 
   /// Begins a wanted session if that is possible now. Begins a new session if files of the present one were deleted or
   /// replaced. Writes the ends of sessions that the disk did not take before. Called about once a second.
@@ -128,6 +138,7 @@ class Recorder {
   void take(Wish wish);
   Result<void> begin();
   Result<void> describe(const Wish& wish, const OwnedFolder& folder, SessionInfo& info) const;
+  std::int64_t behind_ns() const;
   void try_to_begin();
   void add(const std::shared_ptr<memory::Channel>& channel);
   bool wants(const memory::Channel& channel) const;
@@ -138,6 +149,7 @@ class Recorder {
   bool is_whole();
   SessionAccount end();
   void write_ends();
+  void write_news();
   void give_up();
   RecordingStatus status_now() const;
 
@@ -158,6 +170,8 @@ class Recorder {
   std::optional<OwnedFolder> folder_;        // of the session that is being recorded
   std::shared_ptr<std::atomic<bool>> gone_;  // of the streams: the folder is no longer in its place
   SessionInfo info_;
+  bool has_news_ = false;               // info_ has facts that session.json lacks
+  std::string rules_;                   // of the origin, or learnt later
   std::string session_, profile_name_;  // the present or last one
   std::vector<Stream> streams_;
   std::uint64_t dropped_ = 0;  // since the request, before the present session

@@ -93,6 +93,8 @@ SessionInfo info_of(const McapIndex& index, const fs::path& file) {
     info.build = facts->build;
     info.profile = facts->profile;
     info.rules = facts->rules;
+    info.only = facts->only;
+    info.behind_ns = facts->behind_ns;
   }
   for (const auto& [id, channel] : index.channels)
     if (info.robot.empty()) info.robot = robot_of(channel.topic);

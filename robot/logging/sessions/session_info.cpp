@@ -7,6 +7,7 @@
 
 #include "robot/core/json.h"
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 
 namespace robot::logging {
 namespace {
@@ -38,11 +39,24 @@ class Taker {
     value = static_cast<int>(number);
   }
 
+  void take(const char* key, std::vector<std::string>& value) {
+    const auto found = json_.find(key);
+    const auto is_text = [](const nlohmann::json& one) { return one.is_string(); };
+    if (found == json_.end() || !found->is_array() || !std::ranges::all_of(*found, is_text)) return refuse(key);
+    value = found->get<std::vector<std::string>>();
+  }
+
   /// Takes a number of 64 bits, which is written as text.
   void take(const char* key, std::uint64_t& value) {
     std::string text;
     take(key, text);
     if (!text.empty()) value = std::strtoull(text.c_str(), nullptr, 10);
+  }
+
+  void take(const char* key, std::int64_t& value) {
+    std::string text;
+    take(key, text);
+    if (!text.empty()) value = std::strtoll(text.c_str(), nullptr, 10);
   }
 
   bool has(const char* key) const { return json_.contains(key); }
@@ -73,6 +87,8 @@ std::string to_json(const SessionInfo& info) {
                       {"complete", info.complete}};
   if (!info.about.empty()) json["about"] = info.about;
   if (!info.rules.empty()) json["rules"] = info.rules;
+  if (!info.only.empty()) json["only"] = info.only;
+  if (info.behind_ns != 0) json["behind_ns"] = std::to_string(info.behind_ns);
   if (info.account) {
     json["messages"] = std::to_string(info.account->messages);
     json["dropped"] = std::to_string(info.account->dropped);
@@ -105,6 +121,8 @@ Result<void> take_session_info(std::string_view text, SessionInfo& info) {
   // sessions of earlier versions and of other programs have none of these
   if (taker.has("about")) taker.take("about", info.about);
   if (taker.has("rules")) taker.take("rules", info.rules);
+  if (taker.has("only")) taker.take("only", info.only);
+  if (taker.has("behind_ns")) taker.take("behind_ns", info.behind_ns);
   if (taker.has("number")) taker.take("number", info.number);
   if (taker.has("boot")) taker.take("boot", info.boot);
   if (taker.has("messages") && taker.has("dropped")) {
@@ -129,6 +147,8 @@ MetadataByName metadata_of(const SessionInfo& info) {
                             {"start_ns", std::to_string(info.start_ns)}}}};
   if (!info.about.empty()) metadata[kSessionMetadata]["about"] = info.about;
   if (!info.rules.empty()) metadata[kSessionMetadata]["rules"] = info.rules;
+  if (!info.only.empty()) metadata[kSessionMetadata]["only"] = joined(info.only, ",");
+  if (info.behind_ns != 0) metadata[kSessionMetadata]["behind_ns"] = std::to_string(info.behind_ns);
   if (info.number > 0) metadata[kSessionMetadata]["number"] = std::to_string(info.number);
   if (!info.boot.empty()) metadata[kSessionMetadata]["boot"] = info.boot;
   return metadata;
@@ -147,7 +167,10 @@ std::optional<SessionInfo> session_info_in(const std::vector<mcap::Metadata>& me
     if (key == "build") info.build = value;
     if (key == "profile") info.profile = value;
     if (key == "rules") info.rules = value;
+    if (key == "only")
+      for (const std::string_view object : split(value, ",")) info.only.emplace_back(object);
     if (key == "start_ns") info.start_ns = std::strtoull(value.c_str(), nullptr, 10);
+    if (key == "behind_ns") info.behind_ns = std::strtoll(value.c_str(), nullptr, 10);
     if (key == "number") info.number = std::strtoull(value.c_str(), nullptr, 10);
     if (key == "boot") info.boot = value;
   }

@@ -30,7 +30,9 @@ struct SessionInfo {
   std::string build;                      // of the recording program
   std::string profile;                    // "game", "vision", "full", or "import"
   std::string rules;                      // of the game, which give its field, such as "spl2025"; empty: unknown
+  std::vector<std::string> only;          // objects that a person chose, such as "ball"; empty: all
   std::uint64_t start_ns = 0;             // [ns since the epoch]
+  std::int64_t behind_ns = 0;             // [ns] of its times behind the time of day; 0: less than a second, or unknown
   std::uint64_t number = 0;               // counts the sessions of a log folder from 1; 0: not recorded by a robot
   std::string boot;                       // identity of the boot in which it was recorded; empty: unknown
   bool kept = false;                      // never deleted to make room
@@ -40,10 +42,16 @@ struct SessionInfo {
   bool operator==(const SessionInfo&) const = default;
 };
 
+/// Returns when the session began by the time of day [ns since the epoch].
+inline std::uint64_t time_of_day_ns(const SessionInfo& info) {
+  return info.start_ns + static_cast<std::uint64_t>(info.behind_ns);
+}
+
 /// Converts to the text of `session.json`.
 std::string to_json(const SessionInfo& info);
 
-/// Converts the text of `session.json`. `about`, `rules`, `number`, `boot`, `messages` and `dropped` may be missing.
+/// Converts the text of `session.json`. `about`, `rules`, `only`, `behind_ns`, `number`, `boot`, `messages`
+/// and `dropped` may be missing.
 Result<SessionInfo> parse_session_info(std::string_view json);
 
 /// Takes those facts from the text of a `session.json` that can be read, and leaves the others in `info` as they are.

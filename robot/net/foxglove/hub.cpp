@@ -96,6 +96,12 @@ std::shared_ptr<Client> Hub::join(ClientIdentity identity) {
   return client;
 }
 
+void Hub::set_metadata(const std::string& key, const std::string& value) {
+  options_.metadata[key] = value;
+  const std::string info = server_info();
+  for (const auto& client : clients_) say(*client, info);
+}
+
 void Hub::set_match_mode(bool match_mode) {
   match_mode_ = match_mode;
   for (const auto& client : clients_) client->identity.context.match_mode = match_mode;

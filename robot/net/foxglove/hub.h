@@ -69,6 +69,9 @@ class Hub {
   /// time.
   void restart_time();
 
+  /// Sets an entry of the metadata. All clients get our introduction again, with the same session id.
+  void set_metadata(const std::string& key, const std::string& value);
+
   /// Begins or ends match mode, see ClientContext::refusal().
   void set_match_mode(bool match_mode);
 
@@ -127,7 +130,7 @@ class Hub {
   void handle(Client& client, const foxglove::Unsupported& message);
   void subscribe(Client& client, const foxglove::Subscribe::Item& item);
 
-  const HubOptions options_;
+  HubOptions options_;  // of these only the metadata changes
   Parameters& parameters_;
   const Services& services_;
   const Clock& clock_;

@@ -171,7 +171,7 @@ pb::Field known_field(const SceneSources& sources) {
   pb::Simulation simulation;
   const bool known = read_newest(sources.channels, kSimulation, simulation) && simulation.field().length() > 0 &&
                      can_be_drawn(simulation.field().length(), simulation.field().width());
-  return known ? simulation.field() : sources.field;
+  return known ? simulation.field() : sources.field();
 }
 
 memory::ChannelInfo field_channel() { return info_of("/field/scene", kSceneUpdate); }

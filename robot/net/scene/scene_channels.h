@@ -16,7 +16,8 @@ namespace robot::net {
 struct SceneSources {
   const memory::Channels& channels;  // the newest values of all objects
   std::string each_second;           // the topic of a foresight.RuntimeStatistics with which the field is sent
-  foresight::Field field;            // of the rules; a simulation in `channels` knows better
+  // returns the field of the rules, which may become known later; a simulation in `channels` knows better; any thread
+  std::function<foresight::Field()> field;
 };
 
 /// Returns the channels that are derived from `source`, by its schema. Most have none.

@@ -58,7 +58,7 @@ class Backend {
   /// Returns the body of `GET /api/status`: a JSON object. Does not wait for other functions.
   virtual std::string status_json() = 0;
 
-  /// Returns the body of `GET /api/sessions`: a JSON object with "sessions".
+  /// Returns the body of `GET /api/sessions`: a JSON object with "sessions" and "reports".
   virtual std::string sessions_json() = 0;
 
   /// Opens a recording. The client gets an Error as 404.
@@ -88,6 +88,12 @@ class Backend {
   /// Without topics, of all of them. 404 if nothing is kept, as where a recording is played.
   virtual HttpResponse recent(const std::vector<std::string>& /*topics*/) {
     return error_response(404, "the last minutes are not kept here");
+  }
+
+  /// Returns the answer to `GET /reports/<page>`: an HTML page that lies beside the played recording. `page` is a safe name.
+  /// 404 if there is none, or if no recording is played.
+  virtual HttpResponse report_page(const std::string& /*page*/) {
+    return error_response(404, "no recording is played here");
   }
 
   /// Returns whether a real game under the league's rules is in progress. Wireless networks then stay silent, and no

@@ -10,11 +10,13 @@
 namespace robot::net {
 namespace {
 
-constexpr std::string_view kLogs = "/logs/", kStatus = "/api/status", kList = "/api/sessions";
+constexpr std::string_view kReports = "/reports/", kLogs = "/logs/", kStatus = "/api/status", kList = "/api/sessions";
 constexpr std::string_view kSessions = "/api/sessions/", kFilesOfSession = "/files";
 
 // data of the robot; all other paths belong to the viewer
-bool is_data(std::string_view path) { return path.starts_with("/api/") || path.starts_with("/logs"); }
+bool is_data(std::string_view path) {
+  return path.starts_with("/api/") || path.starts_with("/logs") || path.starts_with(kReports);
+}
 
 bool is_list(std::string_view path) { return path == kList || path == "/logs" || path == kLogs; }
 
@@ -157,6 +159,7 @@ HttpResponse Routes::answer_data(const HttpRequest& request, const Target& targe
   if (const auto session = between(kSessions, target.path, kFilesOfSession))
     return backend_.session_files(*session, left);
   if (target.path.starts_with(kLogs)) return answer_log(request, target, left);
+  if (const auto name = between(kReports, target.path, "")) return answer_report(*name);
   if (target.path == "/api/played") return answer_played(target);
   if (target.path.starts_with(kWhole)) return backend_.whole(target, left);
   if (target.path == "/api/recent") return backend_.recent(lines_of(target.parameter("topics")));
@@ -207,6 +210,13 @@ HttpResponse Routes::answer_log(const HttpRequest& request, const Target& target
   if (!fixed.empty()) response.headers.emplace_back("Content-Location", fixed);
   response.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + name + "\"");
   return response;
+}
+
+// a page's link to a recording beside it opens the viewer, while the same link opens the file where nothing serves the page
+HttpResponse Routes::answer_report(const std::string& name) const {
+  if (name.ends_with(".html")) return backend_.report_page(name);
+  if (name.ends_with(".mcap")) return {.status = 302, .headers = {{"Location", "/#/?session=" + name}}};
+  return error_response(404, "reports: expected a path like /reports/<page>.html");
 }
 
 HttpResponse Routes::answer_played(const Target& target) const {

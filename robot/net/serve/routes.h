@@ -63,6 +63,7 @@ class Routes {
                      const ClientLeft& left) const;
   HttpResponse answer_data(const HttpRequest& request, const Target& target, const Access& access,
                            const ClientLeft& left) const;
+  HttpResponse answer_report(const std::string& name) const;
   HttpResponse answer_played(const Target& target) const;
   HttpResponse answer_log(const HttpRequest& request, const Target& target, const ClientLeft& left) const;
   HttpResponse delete_session(const HttpRequest& request, const Target& target, const Access& access) const;

@@ -91,6 +91,9 @@ class Server::Core {
     const std::lock_guard guard(statistics_lock_);
     return statistics_;
   }
+  void set_metadata(const std::string& key, const std::string& value) {
+    inbox_->post([this, key, value] { hub_.set_metadata(key, value); });
+  }
   void restart_time() {
     inbox_->post([this] { hub_.restart_time(); });
   }
@@ -373,6 +376,7 @@ Result<void> Server::start() { return core_->start(); }
 void Server::stop() { core_->stop(); }
 std::uint16_t Server::port() const { return core_->port(); }
 ServerStatistics Server::statistics() const { return core_->statistics(); }
+void Server::set_metadata(const std::string& key, const std::string& value) { core_->set_metadata(key, value); }
 void Server::restart_time() { core_->restart_time(); }
 
 }  // namespace robot::net

@@ -67,6 +67,9 @@ class Server {
   /// Returns statistics of the clients, at most a second old. Any thread.
   ServerStatistics statistics() const;
 
+  /// Sets an entry of the metadata of all clients, see Hub::set_metadata(). Any thread.
+  void set_metadata(const std::string& key, const std::string& value);
+
   /// Begins another time line, see Hub::restart_time(). Any thread.
   void restart_time();
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "robot/core/files.h"
@@ -84,6 +85,14 @@ TEST_F(ServedSession, SessionsOfAnyNameAreListed) {
   EXPECT_EQ(session["streams"][0]["messages"], 1);
 }
 
+TEST_F(ServedSession, ItsChosenObjectsAreListedOrNone) {
+  EXPECT_EQ(json::parse(application.sessions_json())["sessions"][0]["only"], json::array());
+  auto writer = logging::SessionWriter::create(folder / "two", {.robot = "14/2", .only = {"a"}});
+  ASSERT_TRUE((*writer)->close());
+  for (const json& session : json::parse(application.sessions_json())["sessions"])
+    EXPECT_EQ(session["only"], session["session"] == "two" ? json::array({"a"}) : json::array());
+}
+
 TEST_F(ServedSession, ADownloadIsReadFromAnyOffset) {
   const auto file = application.open_log({.session = "one"});
   ASSERT_TRUE(file) << file.error();
@@ -163,11 +172,33 @@ TEST_F(ServedSession, DownloadsForOtherViewersAreMadeByWhoeverSetsTheirMaker) {
   EXPECT_EQ(application.open_log({.session = "one", .foxglove = true}).error(),
             "session one: foresight-test makes no downloads with ?foxglove; scripts/logs fetches the session, and "
             "foresight-lab play makes them");
+  const auto offered = [&] { return json::parse(application.sessions_json())["sessions"][0]["foxglove_url"]; };
+  EXPECT_EQ(offered(), "") << "a page offers only what works";
   application.draw_downloads_by([](const auto&, const std::filesystem::path&, const std::string&, const auto&) {
     return Result<std::shared_ptr<const ByteSource>>(Error{"made elsewhere"});
   });
   EXPECT_EQ(application.open_log({.session = "one", .foxglove = true}).error(), "made elsewhere");
+  EXPECT_EQ(offered(), "/logs/one.mcap?foxglove");
   EXPECT_TRUE(application.open_log({.session = "one"}));
+}
+
+TEST_F(ServedSession, ReportsBesideAPlayedRecordingAreServedWithoutScripts) {
+  ASSERT_TRUE(replace_file(folder / "report.html", "<h1>B is better</h1>"));
+  ASSERT_TRUE(replace_file(folder / "notes.txt", "private"));
+  std::filesystem::create_symlink(folder / "notes.txt", folder / "link.html");
+  EXPECT_EQ(json::parse(application.sessions_json())["reports"], json::array());
+  EXPECT_EQ(application.report_page("report.html").status, 404) << "a robot plays nothing";
+  application.play_by([](const net::PlayedRequest&) { return net::HttpResponse{}; });
+  EXPECT_EQ(json::parse(application.sessions_json())["reports"], json::array({"report.html"}));
+  const net::HttpResponse page = application.report_page("report.html");
+  EXPECT_EQ(page.status, 200);
+  EXPECT_EQ(std::get<std::string>(page.body), "<h1>B is better</h1>");
+  const auto policy =
+      std::ranges::find(page.headers, "Content-Security-Policy", [](const auto& one) { return one.first; });
+  ASSERT_NE(policy, page.headers.end());
+  EXPECT_TRUE(policy->second.starts_with("default-src 'none'; ")) << policy->second;
+  for (const char* none : {"link.html", "none.html", "one"})
+    EXPECT_EQ(application.report_page(none).status, 404) << none;
 }
 
 TEST_F(ServedSession, AnUnknownSessionOrFileIsNamed) {

@@ -22,5 +22,15 @@ TEST(Split, HasOnePartMoreThanSeparators) {
   EXPECT_EQ(split("a or", " or "), (Parts{"a or"}));
 }
 
+TEST(Joined, IsSplitIntoItsPartsAgain) {
+  EXPECT_EQ(joined({}, ", "), "");
+  for (const std::vector<std::string>& parts :
+       {std::vector<std::string>{"ball"}, {"ball", "pose"}, {"", "a", ""}, {"truth/world", "b", "c"}}) {
+    const std::string text = joined(parts, ", ");
+    const Parts again = split(text, ", ");
+    EXPECT_EQ(std::vector<std::string>(again.begin(), again.end()), parts) << text;
+  }
+}
+
 }  // namespace
 }  // namespace robot

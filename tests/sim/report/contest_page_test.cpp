@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <string_view>
 
@@ -51,6 +52,23 @@ std::string fault_of(std::string_view page) {
 }
 
 TEST(ContestPage, IsWellFormed) { EXPECT_EQ(fault_of(page_of(short_report())), ""); }
+
+TEST(ContestPage, LinksToTheGamesThatLieBesideIt) {
+  Json report = short_report();
+  EXPECT_EQ(page_of(report).find("<a "), std::string::npos);
+  const std::vector<Json*> pairs = shown_pairs(report);
+  ASSERT_FALSE(pairs.empty());
+  for (std::size_t i = 1; i < pairs.size(); ++i)
+    EXPECT_GE(std::abs(pairs[i - 1]->at("gain").get<double>()), std::abs(pairs[i]->at("gain").get<double>()));
+  for (Json* pair : pairs) (*pair)["game"] = "seed-<" + pair->at("pair").dump() + ">.mcap";
+  const std::string page = page_of(report);
+  EXPECT_EQ(fault_of(page), "");
+  for (const Json* pair : pairs) {
+    const std::string name = "seed-&lt;" + pair->at("pair").dump() + "&gt;.mcap";
+    EXPECT_NE(page.find("<a href=\"" + name + "\">" + name + "</a>"), std::string::npos) << name;
+    EXPECT_NE(page.find("foresight-lab play " + name), std::string::npos) << name;
+  }
+}
 
 TEST(ContestPage, EscapesTheNamesOfBehaviours) {
   Json report = short_report();

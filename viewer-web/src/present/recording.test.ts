@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { sessionsOf } from "../source/http";
-import { lengthOf, otherViewers, partOf, secondsOf, startOf } from "./recording";
+import { reportsOf, sessionsOf } from "../source/http";
+import { choiceOf, clockOf, lengthOf, otherViewers, partOf, secondsOf, startOf } from "./recording";
 
 const kStart_ns = 1795269731000000000n; // 2026-11-21 14:02:11 UTC
 const entry = (more: object) => ({ session: "s", start_ns: String(kStart_ns), ...more });
@@ -9,6 +9,18 @@ test("start and length are read from decimal strings of ns, whose digits a numbe
   const [session] = sessionsOf({ sessions: [entry({ end_ns: String(kStart_ns + 600_499_999_999n) })] })!;
   expect(startOf(session!, "en-GB", "UTC")).toBe("21 Nov 2026, 14:02:11");
   expect(lengthOf(session!)).toBe("10:00");
+});
+
+test("the start is the time of day, also if the robot's clock was set after its program began", () => {
+  const of = (behind_ns: unknown) => sessionsOf({ sessions: [entry({ behind_ns })] })![0]!;
+  for (const none of [undefined, "0", 180e9, "x", "", "-0"]) {
+    expect(clockOf(of(none))).toBe("");
+    expect(startOf(of(none), "en-GB", "UTC")).toBe("21 Nov 2026, 14:02:11");
+  }
+  expect(startOf(of("180000000000"), "en-GB", "UTC")).toBe("21 Nov 2026, 14:05:11");
+  expect(clockOf(of("180000000000"))).toContain("3:00 behind the time of day");
+  expect(startOf(of("-60000000000"), "en-GB", "UTC")).toBe("21 Nov 2026, 14:01:11");
+  expect(clockOf(of("-60000000000"))).toContain("1:00 ahead of the time of day");
 });
 
 test("an empty or impossible recording has no length", () => {
@@ -39,9 +51,27 @@ test("entries that make no sense are left out, links lead only to the robot itse
     sessions: [5, null, {}, entry({ state: "odd", streams: urls.map((url) => ({ url })) })],
   })!;
   expect(sessions).toHaveLength(1);
-  expect(sessions[0]).toMatchObject({ state: "unknown", kept: false });
+  expect(sessions[0]).toMatchObject({ state: "unknown", kept: false, foxglove_url: "" });
+  const drawn = (foxglove_url: string) => sessionsOf({ sessions: [entry({ foxglove_url })] })![0]!.foxglove_url;
+  expect(urls.slice(0, 4).map((url) => drawn(url as string))).toEqual(["", "", "", ""]);
+  expect(drawn("/logs/s.mcap?foxglove")).toBe("/logs/s.mcap?foxglove");
   expect(sessions[0]!.streams.map(({ url }) => url)).toEqual(["", "", "", "", "", "/logs/s.mcap"]);
   for (const answer of [undefined, 5, [], {}, { sessions: {} }]) expect(sessionsOf(answer)).toBeUndefined();
+});
+
+test("a recording of chosen objects names them, so that nobody takes the others for lost", () => {
+  const said = (only: unknown) => choiceOf(sessionsOf({ sessions: [entry({ only })] })![0]!);
+  for (const none of [undefined, [], "ball", [5, ""]]) expect(said(none)).toBe("");
+  expect(said(["ball"])).toBe("Only chosen objects were recorded: ball.");
+  expect(said(["ball", "pose", "truth/world"])).toBe("Only chosen objects were recorded: ball, pose and truth/world.");
+  expect(said([..."abcdefg"])).toBe("Only chosen objects were recorded: a, b, c, d, e, f and g.");
+  expect(said([..."abcdefgh"])).toBe("Only chosen objects were recorded: a, b, c, d, e, f and 2 more.");
+});
+
+test("reports are pages beside the recordings, and no other address", () => {
+  const reports = ["report.html", "../x.html", "a/b.html", "javascript:x.html", ".html", 5, "x.htm", "a b.html"];
+  expect(reportsOf({ reports })).toEqual(["report.html"]);
+  for (const answer of [undefined, 5, [], {}, { reports: {} }]) expect(reportsOf(answer)).toEqual([]);
 });
 
 test("other viewers get the file's address; web pages only where they may read it", () => {

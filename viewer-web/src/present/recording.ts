@@ -3,15 +3,27 @@
 import type { Session } from "../source/http";
 import { clockLength } from "./format";
 
-/** The recording's begin, in the reader's time zone and language: "21 Nov 2026, 14:02:11". */
-export function startOf({ start_ns }: Pick<Session, "start_ns">, locale?: string, timeZone?: string): string {
+/** The recording's begin by the time of day, in the reader's time zone and language: "21 Nov 2026, 14:02:11". */
+export function startOf(
+  { start_ns, behind_ns }: Pick<Session, "start_ns" | "behind_ns">,
+  locale?: string,
+  timeZone?: string,
+): string {
   if (start_ns === undefined) return "–";
   const format = new Intl.DateTimeFormat(locale, {
     dateStyle: "medium",
     timeStyle: "medium",
     ...(timeZone && { timeZone }),
   });
-  return format.format(new Date(Number(start_ns / 1_000_000n)));
+  return format.format(new Date(Number((start_ns + behind_ns) / 1_000_000n)));
+}
+
+/** A sentence about a clock that was set while the program ran. Empty if it was not. */
+export function clockOf({ behind_ns }: Pick<Session, "behind_ns">): string {
+  if (behind_ns === 0n) return "";
+  const apart = clockLength(Math.abs(Number(behind_ns)) / 1e9);
+  const side = behind_ns > 0n ? "behind" : "ahead of";
+  return `The clock was set while the program ran: the recorded times are ${apart} ${side} the time of day.`;
 }
 
 /** "10:00"; "–" for an empty recording. */
@@ -28,6 +40,21 @@ export const kStateSentence: Record<Session["state"], string> = {
   damaged: "Part of it cannot be read.",
   unknown: "This viewer does not know its state.",
 };
+
+const kNamedObjects = 6;
+
+/** A sentence about the chosen objects of a recording, so that nobody takes the others for lost. Empty without a choice. */
+export function choiceOf({ only }: Pick<Session, "only">): string {
+  if (only.length === 0) return "";
+  const more = only.length - kNamedObjects;
+  const named = more > 1 ? [...only.slice(0, kNamedObjects), `${more} more`] : only;
+  return `Only chosen objects were recorded: ${named.join(", ").replace(/, ([^,]*)$/, " and $1")}.`;
+}
+
+/** The use of a download with ?foxglove. */
+export const kDrawnHint =
+  "For Foxglove, Lichtblick and Rerun: holds also the field, the robots, the frames and the pictures in the schemas that " +
+  "they draw. This viewer needs only the plain download.";
 
 export interface OtherViewer {
   name: string;

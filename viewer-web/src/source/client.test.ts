@@ -158,6 +158,19 @@ test("a server whose time went back does not have to offer its channels again", 
   expect(newest().take("subscribe")).toMatchObject([{ subscriptions: [{ channelId: 3 }] }]);
 });
 
+test("a server whose metadata changed keeps its channels and subscriptions", async () => {
+  client.want("/14/2/ball");
+  newest().say(kInfo, { op: "advertise", channels: [kChannel] });
+  await turn();
+  newest().sent = events = [];
+  newest().say({ ...kInfo, metadata: { rules: "spl2012" } });
+  await turn();
+  expect(events).toContain("introduced again");
+  expect(events).not.toContain("unadvertised /14/2/ball");
+  expect(newest().take("unsubscribe")).toHaveLength(0);
+  expect(newest().take("subscribe")).toHaveLength(0);
+});
+
 test("a channel that returns with another schema is withdrawn first", async () => {
   client.want("/14/2/ball");
   newest().say(kInfo, { op: "advertise", channels: [kChannel] });

@@ -218,10 +218,10 @@ export class Client {
 
   #introduce(info: ServerInfo): void {
     const fresh = info.sessionId === undefined || info.sessionId !== this.#sessionId;
-    const restarted = this.#open;
+    const restarted = this.#open && fresh; // otherwise only its metadata changed
     this.#sessionId = info.sessionId;
     if (restarted) this.#resubscribe();
-    else this.#forget();
+    else if (!this.#open) this.#forget();
     this.#open = true;
     this.#expectMore();
     this.listener.connection({ state: "open" });

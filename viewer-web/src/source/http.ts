@@ -20,11 +20,17 @@ export interface Session {
   build: string;
   start_ns: bigint | undefined;
   end_ns: bigint | undefined;
+  /** [ns] of these times behind the time of day, because the robot's clock was set while its program ran. */
+  behind_ns: bigint;
   size_bytes: number;
   state: SessionState;
   message: string;
   kept: boolean;
+  /** The names of the objects that a person chose to record. Empty: all. */
+  only: string[];
   url: string;
+  /** The address of the download with what other viewers draw. Empty if this server makes none. */
+  foxglove_url: string;
   streams: Stream[];
 }
 
@@ -34,6 +40,7 @@ const isObject = (value: unknown): value is Json =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 const objects = (value: unknown): Json[] => (Array.isArray(value) ? value.filter(isObject) : []);
 const text = (value: unknown): string => (typeof value === "string" ? value : "");
+const texts = (value: unknown): string[] => (Array.isArray(value) ? value.map(text).filter(Boolean) : []);
 const amount = (value: unknown): number => (typeof value === "number" ? value : Number(text(value) || NaN));
 const time = (value: unknown): bigint | undefined =>
   /^[1-9]\d{0,19}$/.test(text(value)) ? BigInt(text(value)) : undefined;
@@ -55,11 +62,14 @@ export function sessionsOf(answer: unknown): Session[] | undefined {
       build: text(entry["build"]),
       start_ns: time(entry["start_ns"]),
       end_ns: time(entry["end_ns"]),
+      behind_ns: /^-?[1-9]\d{0,18}$/.test(text(entry["behind_ns"])) ? BigInt(text(entry["behind_ns"])) : 0n,
       size_bytes: amount(entry["size_bytes"]),
       state: kStates.find((state) => state === entry["state"]) ?? "unknown",
       message: text(entry["message"]),
       kept: entry["kept"] === true,
+      only: texts(entry["only"]),
       url: path(entry["url"]),
+      foxglove_url: path(entry["foxglove_url"]),
       streams: objects(entry["streams"]).map((stream) => ({
         topic: text(stream["topic"]),
         file: text(stream["file"]),
@@ -71,8 +81,18 @@ export function sessionsOf(answer: unknown): Session[] | undefined {
     .sort((a, b) => Number((b.start_ns ?? 0n) - (a.start_ns ?? 0n)) || b.session.localeCompare(a.session));
 }
 
+/** The recordings of a server, and the names of the reports that lie beside them. */
+export interface Recordings {
+  sessions: Session[];
+  reports: string[];
+}
+
+/** Reads the names of the reports in the answer of /api/sessions. */
+export const reportsOf = (answer: unknown): string[] =>
+  isObject(answer) ? texts(answer["reports"]).filter((name) => /^[\w-][\w.-]*\.html$/.test(name)) : [];
+
 /** Fetches the robot's list of recordings. Rejects with a sentence. */
-export async function fetchSessions(): Promise<Session[]> {
+export async function fetchRecordings(): Promise<Recordings> {
   let response: Response;
   try {
     response = await fetch("/api/sessions", {
@@ -83,9 +103,10 @@ export async function fetchSessions(): Promise<Session[]> {
     throw new Error("The robot does not answer.");
   }
   if (!response.ok) throw new Error(`The robot refuses to list its recordings (HTTP ${response.status}).`);
-  const sessions = sessionsOf(await response.json().catch(() => undefined));
+  const answer: unknown = await response.json().catch(() => undefined);
+  const sessions = sessionsOf(answer);
   if (!sessions) throw new Error("The robot's list of recordings cannot be read.");
-  return sessions;
+  return { sessions, reports: reportsOf(answer) };
 }
 
 /** Asks the page's own robot whether a real game is in progress. False without an answer. */

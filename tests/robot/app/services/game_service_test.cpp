@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "robot/app/build_id.h"
 #include "robot/app/services/recording_service.h"
@@ -69,6 +71,53 @@ TEST_F(Game, IsRecordedFromReadyToFinished) {
   EXPECT_EQ(store.list()[0].info.name, "A_vs-5_half-1_14-3_" + std::string(kBuildId));
   EXPECT_EQ(store.list()[0].info.profile, "game");
   EXPECT_EQ(store.list()[0].state, logging::SessionState::complete);
+}
+
+TEST_F(Game, AHalfBeginsWithReadyAlsoIfTheRobotWaitedLong) {
+  hear(GameState::STATE_INITIAL);
+  clock.set(clock.now_ns() + 180 * kSecond);
+  const std::uint64_t ready_ns = clock.now_ns();
+  hear(GameState::STATE_READY);
+  clock.set(clock.now_ns() + 45 * kSecond);
+  hear(GameState::STATE_PLAYING);
+  hear(GameState::STATE_FINISHED);
+  ASSERT_EQ(store.list().size(), 1u);
+  EXPECT_EQ(store.list()[0].info.start_ns, ready_ns);
+  EXPECT_EQ(store.list()[0].start_ns, ready_ns);
+}
+
+TEST_F(Game, AValueFromBeforeAHalfDoesNotMoveItsBeginningEvenIfItIsWrittenAgain) {
+  const std::uint64_t early_ns = clock.now_ns();
+  memory->pose.write({}, early_ns);
+  memory->ball.write({}, early_ns);
+  clock.set(clock.now_ns() + 180 * kSecond);
+  const std::uint64_t ready_ns = clock.now_ns();
+  hear(GameState::STATE_READY);
+  memory->pose.write({}, early_ns);  // with its old capture time
+  clock.set(clock.now_ns() + 60 * kSecond);
+  memory->pose.write({}, clock.now_ns());
+  hear(GameState::STATE_FINISHED);
+  ASSERT_EQ(store.list().size(), 1u);
+  EXPECT_EQ(store.list()[0].start_ns, ready_ns);
+  EXPECT_EQ(store.list()[0].end_ns, ready_ns + 60 * kSecond);
+}
+
+TEST_F(Game, ARobotThatStartsLateOrAgainBeginsItsPartThen) {
+  const std::uint64_t kick_off_ns = clock.now_ns();
+  for (const std::uint64_t minutes : {0, 3, 5}) {
+    clock.set(kick_off_ns + minutes * 60 * kSecond);
+    service_.reset();
+    (void)recorder.stop();  // as a program that ends
+    hear(GameState::STATE_PLAYING);
+  }
+  hear(GameState::STATE_FINISHED);
+  std::vector<std::uint64_t> begins;
+  for (const logging::Session& session : store.list()) {
+    EXPECT_EQ(session.info.name, "A_vs-5_half-1_14-3_" + std::string(kBuildId)) << "the half that it belongs to";
+    begins.push_back((session.start_ns - kick_off_ns) / (60 * kSecond));
+  }
+  std::ranges::sort(begins);
+  EXPECT_EQ(begins, (std::vector<std::uint64_t>{0, 3, 5}));
 }
 
 TEST_F(Game, EachHalfIsItsOwnSession) {

@@ -44,8 +44,10 @@ class SettableClock final : public Clock {
 /// The server, the channels and the clock of a robot's runtime.
 class Robot {
  public:
-  explicit Robot(const std::string& name, std::int64_t ahead_ns = 0, std::uint16_t port = 0)
-      : clock(ahead_ns), name_(name) {
+  explicit Robot(const std::string& name, std::int64_t ahead_ns = 0, std::uint16_t port = 0,
+                 std::map<std::string, std::string> metadata = {})
+      : clock(ahead_ns), name_(name), metadata_(std::move(metadata)) {
+    metadata_["robots"] = name;
     net::declare_image_parameters(parameters);
     net::add_clock_sync(services, clock, [this](const net::PeerClock& peer) {
       const std::lock_guard guard(lock_);
@@ -61,7 +63,7 @@ class Robot {
   }
   void start() {
     server = std::make_unique<net::Server>(
-        net::ServerOptions{.port = port_, .hub = {.metadata = {{"robots", name_}}, .queues = {}}}, channels,
+        net::ServerOptions{.port = port_, .hub = {.metadata = metadata_, .queues = {}}}, channels,
         [this](const memory::ChannelInfo& info) { return net::derived_channels(info, parameters); }, streams, clock,
         parameters, services, application);
     const auto started = server->start();
@@ -87,6 +89,7 @@ class Robot {
 
  private:
   const std::string name_;
+  std::map<std::string, std::string> metadata_;
   std::uint16_t port_ = 0;
   std::mutex lock_;
   std::vector<net::PeerClock> measured_;
@@ -177,6 +180,23 @@ TEST_F(Relaying, KeepsTopicsSchemasAndEveryMessageAlsoOfUnknownObjects) {
   EXPECT_EQ(status.robot, "14/2");
   EXPECT_EQ(status.lost, 0u);
   EXPECT_EQ(status.received, 503u);
+}
+
+TEST_F(Relaying, ReportsTheRulesOfTheRobotsGameBeforeItsFirstMessage) {
+  Robot robot("14/2", 0, 0, {{"rules", "spl2012:4"}});
+  const auto channel = robot.add({.topic = "/14/2/x", .message_encoding = "json", .schema = {}});
+  EXPECT_TRUE(channel->write_bytes("{}", 1));
+  robot.start();
+  std::string rules, carried;  // before the first message
+  const auto relayed = link(robot, {.on_rules = [&](const std::string& reported) {
+                              const std::lock_guard guard(lock);
+                              rules = reported;
+                              if (channels.find("/14/2/x")) carried = "a channel before the rules";
+                            }});
+  wait_for("/14/2/x", "{}");
+  const std::lock_guard guard(lock);
+  EXPECT_EQ(rules, "spl2012:4");
+  EXPECT_EQ(carried, "");
 }
 
 // "relay: ws://127.0.0.1:1/: ws://127.0.0.1:1/: Connection refused" once named it twice

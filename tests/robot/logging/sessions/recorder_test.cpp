@@ -11,6 +11,9 @@
 #include <random>
 
 #include "proto/foresight/camera.pb.h"
+#include "robot/core/byte_source.h"
+#include "robot/core/files.h"
+#include "robot/logging/mcap/index.h"
 #include "robot/memory/memory.h"
 #include "tests/support/read_stream.h"
 #include "tests/support/recording.h"
@@ -63,6 +66,51 @@ TEST_F(Recording, DescribesItself) {
   EXPECT_EQ(ball->messages, 1u);
 }
 
+// a robot's clock is often set only after its program began: a half was then told to begin three minutes early
+TEST_F(Recording, SaysHowFarItsTimesAreBehindTheTimeOfDay) {
+  std::int64_t behind_ns = 180 * static_cast<std::int64_t>(kSecond);
+  Recorder set(channels, board, store, clock, {.info = {.robot = "14/2"}, .behind_ns = [&] { return behind_ns; }});
+  const std::string id = *set.start("half", "game");
+  EXPECT_EQ(id, "2023-11-14_22-16-20_half") << "the folder's name is the time of day";
+  EXPECT_EQ(store.find(id)->info.behind_ns, behind_ns);
+  write_ball(1);
+  behind_ns -= 3;  // the newest is the best
+  ASSERT_TRUE(set.stop());
+  EXPECT_EQ(store.find(id)->info.behind_ns, behind_ns);
+  EXPECT_EQ(store.find(id)->start_ns, kNow) << "the recorded times stay as they are";
+  EXPECT_EQ(time_of_day_ns(store.find(id)->info), kNow + static_cast<std::uint64_t>(behind_ns));
+
+  behind_ns = -999'999'999;
+  const std::string agrees = *set.start("", "game");
+  ASSERT_TRUE(set.stop());
+  EXPECT_EQ(store.find(agrees)->info.behind_ns, 0) << "less than a second";
+}
+
+TEST_F(Recording, LearnsTheRulesOfTheGameOnceAlsoDuringASession) {
+  const std::string id = *recorder.start("", "game");
+  recorder.know_rules("spl2012:4");
+  recorder.know_rules("spl2025");  // of another robot
+  const auto late = tests::make_channel(clock, "/14/2/late");
+  ASSERT_TRUE(channels.add(late));
+  ASSERT_TRUE(late->write_bytes("appeared", clock.now_ns()));
+  recorder.tend();
+  EXPECT_EQ(parse_session_info(*read_file(folder.path() / id / "session.json", 1 << 20))->rules, "spl2012:4");
+  ASSERT_TRUE(recorder.stop());
+  EXPECT_EQ(store.find(id)->info.rules, "spl2012:4");
+  EXPECT_EQ(session_info_in(read_index(**FileSource::open(folder.path() / id / "14.2.late.mcap"))->metadata)->rules,
+            "spl2012:4")
+      << "files that begin later have them too";
+  const std::string next = *recorder.start("", "game");
+  EXPECT_EQ(store.find(next)->info.rules, "spl2012:4");
+}
+
+TEST_F(Recording, RulesOfItsOriginStay) {
+  Recorder known(channels, board, store, clock, {.info = {.robot = "14/2", .rules = "spl2025:5"}});
+  known.know_rules("spl2012");
+  const std::string id = *known.start("", "game");
+  EXPECT_EQ(store.find(id)->info.rules, "spl2025:5");
+}
+
 TEST_F(Recording, ContainsOnlyTheNamedObjects) {
   const std::vector<std::string> names = recorder.object_names();
   for (const char* name : {"ball", "pose", "truth/world"}) EXPECT_EQ(std::ranges::count(names, name), 1) << name;
@@ -84,10 +132,15 @@ TEST_F(Recording, ContainsOnlyTheNamedObjects) {
   for (const StreamFile& stream : session->streams) topics.push_back(stream.topic);
   std::ranges::sort(topics);
   EXPECT_EQ(topics, (std::vector<std::string>{"/14/2/ball", "/14/2/late"}));
+  // the session says what was left out by choice, in session.json and in each file
+  EXPECT_EQ(session->info.only, (std::vector<std::string>{"ball", "late"}));
+  std::filesystem::remove(folder.path() / id / "session.json");
+  EXPECT_EQ(read_session(folder.path() / id)->info.only, (std::vector<std::string>{"ball", "late"}));
 
   const std::string all = *recorder.start("", "game");
   ASSERT_TRUE(recorder.stop());
   EXPECT_GT(store.find(all)->streams.size(), 4u) << "the choice is that of one session";
+  EXPECT_TRUE(store.find(all)->info.only.empty());
 }
 
 TEST_F(Recording, RunsOnlyOnceAtATime) {

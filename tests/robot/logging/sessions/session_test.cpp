@@ -29,7 +29,9 @@ SessionInfo example() {
           .build = "0123abcd",
           .profile = "game",
           .rules = "spl2025:5",
+          .only = {"ball", "truth/world"},
           .start_ns = 1'700'000'000'123'456'789,
+          .behind_ns = -180'000'000'001,
           .number = 7,
           .boot = "0b7e",
           .kept = true,
@@ -52,6 +54,10 @@ TEST(SessionInfo, SurvivesEveryTruncation) {
 TEST(SessionInfo, NamesTheWrongValue) {
   EXPECT_EQ(parse_session_info("[]").error(), "session.json: expected a JSON object");
   EXPECT_EQ(parse_session_info(R"({"name": 3})").error(), "session.json: 'name' is missing or of the wrong type");
+  EXPECT_EQ(parse_session_info(R"({"name": "", "robot": "", "team": 1, "player": 2, "build": "", "profile": "",
+                                   "start_ns": "1", "only": ["ball", 3], "kept": true, "complete": true})")
+                .error(),
+            "session.json: 'only' is missing or of the wrong type");
   std::string text = to_json(example());
   text.replace(text.find(": 14\n"), 4, ": \"14\"");
   EXPECT_EQ(parse_session_info(text).error(), "session.json: 'team' is missing or of the wrong type");
@@ -72,6 +78,10 @@ TEST(SessionInfo, AcceptsAWholeNumberWithAPointAndSessionsOfEarlierVersions) {
     text.erase(text.find(key), key.size());
   ASSERT_TRUE(parse_session_info(text));
   EXPECT_EQ(parse_session_info(text)->number, 0u);
+  SessionInfo all = example();
+  all.only.clear();
+  EXPECT_EQ(to_json(all).find("only"), std::string::npos);
+  EXPECT_EQ(parse_session_info(to_json(all))->only, all.only);
 }
 
 TEST(SessionInfo, ReadableFactsAreTakenAndOthersStay) {
@@ -157,6 +167,30 @@ TEST_F(WrittenSession, RetainedValuesDoNotStretchItsTimeLine) {
   Downloads downloads;
   std::ofstream(folder / "one.mcap", std::ios::binary) << tests::all_bytes(**downloads.open(session, {}, {}));
   EXPECT_EQ(read_recording(folder / "one.mcap")->start_ns, session.start_ns) << "the same as one file";
+}
+
+// a half was once told to begin three minutes early: a value from before it was written twice
+TEST_F(WrittenSession, ARepeatedRetainedValueDoesNotStretchItsTimeLine) {
+  const std::uint64_t start_ns = example().start_ns;
+  auto writer = SessionWriter::create(folder / "repeated", example());
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE((*writer)->write({.topic = "/14/2/game"}, start_ns - 180 * kSecond, "the same state again"));
+  for (std::uint64_t i = 0; i < 3; ++i)
+    EXPECT_TRUE((*writer)->write({.topic = "/14/2/pose"}, start_ns - (i < 2 ? 90 * kSecond : 0), "written late"));
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/ball"}, start_ns + kSecond, "ball"));
+  EXPECT_TRUE((*writer)->close());
+  EXPECT_EQ(read_session(folder / "repeated")->start_ns, start_ns);
+  EXPECT_EQ(read_session(folder / "repeated")->end_ns, start_ns + kSecond);
+}
+
+TEST_F(WrittenSession, WithNothingButRetainedValuesItBeginsWithItsRecorderAndHasNoLength) {
+  const std::uint64_t start_ns = example().start_ns;
+  auto writer = SessionWriter::create(folder / "still", example());
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/game"}, start_ns - 180 * kSecond, "retained"));
+  EXPECT_TRUE((*writer)->write({.topic = "/14/2/strategy"}, start_ns - 60 * kSecond, "retained"));
+  EXPECT_TRUE((*writer)->close());
+  EXPECT_EQ(read_session(folder / "still")->start_ns, start_ns);
+  EXPECT_EQ(read_session(folder / "still")->end_ns, start_ns);
 }
 
 TEST_F(WrittenSession, DataOfAnotherClockStayInItsTimeLine) {

@@ -257,6 +257,20 @@ TEST_F(HubTest, ControlNeedsTheTokenAndClockSyncDoesNot) {
   EXPECT_EQ(gist(*stranger), "serviceCallFailure:there is no service 9 status:there is no service 9");
 }
 
+TEST_F(HubTest, AFactThatIsLearntLateReachesAllClientsInTheSameSession) {
+  const auto early = hub->join({});
+  const Json before = said(*early).at(0);
+  EXPECT_FALSE(before["metadata"].contains("rules"));
+  hub->set_metadata("rules", "spl2012:4");
+  const auto late = hub->join({});
+  for (const auto& client : {early, late}) {
+    const Json info = said(*client).at(0);
+    EXPECT_EQ(info["op"], "serverInfo");
+    EXPECT_EQ(info["metadata"]["rules"], "spl2012:4");
+    EXPECT_EQ(info["sessionId"], before["sessionId"]);
+  }
+}
+
 TEST_F(HubTest, DuringAGameClientsOfOtherMachinesHaveNoControl) {
   const auto early = join();
   hub->set_match_mode(true);

@@ -27,13 +27,14 @@ class SceneChannels : public testing::Test {
   ManualClock clock{1};
   std::shared_ptr<memory::Memory> memory = std::make_shared<memory::Memory>("14/2", clock);
   memory::Channels channels;
-  SceneSources sources{.channels = channels, .each_second = "/14/2/runtime", .field = {}};
+  foresight::Field field;  // of the rules
+  SceneSources sources{.channels = channels, .each_second = "/14/2/runtime", .field = [this] { return field; }};
 
   void SetUp() override {
     ASSERT_TRUE(memory::list(memory, channels));
-    sources.field.set_length(9);
-    sources.field.set_width(6);
-    sources.field.set_penalty_mark(1.3F);
+    field.set_length(9);
+    field.set_width(6);
+    field.set_penalty_mark(1.3F);
   }
 
   std::map<std::string, std::string> offered() const {
