@@ -196,19 +196,18 @@ Result<json> run(const Options& options) {
                    .stall_every_ns = static_cast<std::uint64_t>(options.disk_stall_every * 1e9)});
   const FastClock clock(options.load.speed);
   const auto memory = std::make_shared<robot::memory::Memory>("14/2", clock);
-  robot::app::Runtime runtime({.program = "bench",
-                               .body = "bench",
-                               .robot = "14/2",
-                               .team = 14,
-                               .player = 2,
-                               .server = options.server,
-                               .log_folder = options.log_folder,
-                               .log_bytes = options.log_mb * 1'000'000,
-                               .records = false,
-                               .recent = options.no_recent
-                                             ? std::nullopt
-                                             : std::optional<robot::logging::RecentPastLimits>{std::in_place}},
-                              clock, {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log});
+  robot::app::Runtime runtime(
+      {.program = "bench",
+       .body = "bench",
+       .robot = "14/2",
+       .team = 14,
+       .player = 2,
+       .server = options.server,
+       .log_folder = options.log_folder,
+       .log_bytes = options.log_mb * 1'000'000,
+       .records = false,
+       .recent = options.no_recent ? std::nullopt : std::optional<robot::logging::RecentPastLimits>{std::in_place}},
+      clock, {.runtime = memory->runtime, .clock = memory->clock, .log = memory->log});
   if (auto listed = list(memory, runtime.channels()); !listed) return Error{listed.error()};
   if (auto started = runtime.start(); !started) return Error{started.error()};
   const bool records = !options.profile.empty();
