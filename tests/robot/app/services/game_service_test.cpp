@@ -22,8 +22,8 @@ struct Game : ::testing::Test {
     add_recording_service(recorder, store, parameters, services);
   }
 
-  /// Writes the game state like the GameController, and lets the service follow it.
-  void hear(GameState::State state, std::uint32_t half = 1) {
+  /// Writes the game state like the GameController.
+  void tell(GameState::State state, std::uint32_t half) {
     GameState game;
     game.set_source(GameState::SOURCE_GAME_CONTROLLER);
     game.set_received_ns(clock.now_ns());
@@ -33,13 +33,18 @@ struct Game : ::testing::Test {
     game.set_own_player(3);
     game.mutable_opponent()->set_number(5);
     memory->game.write(game, clock.now_ns());
+  }
+
+  /// Writes the game state, and lets the service follow it.
+  void hear(GameState::State state, std::uint32_t half = 1) {
+    tell(state, half);
     service().follow();
   }
 
+  GameOptions options() const { return {.link = {.team = 14, .player = 3}, .field = "A"}; }
+
   GameService& service() {
-    if (!service_)
-      service_.emplace(GameOptions{.link = {.team = 14, .player = 3}, .field = "A"}, *memory, clock, recorder,
-                       parameters);
+    if (!service_) service_.emplace(options(), *memory, clock, recorder, parameters);
     return *service_;
   }
 
@@ -106,11 +111,14 @@ TEST_F(Game, ARobotThatStartsLateOrAgainBeginsItsPartThen) {
   const std::uint64_t kick_off_ns = clock.now_ns();
   for (const std::uint64_t minutes : {0, 3, 5}) {
     clock.set(kick_off_ns + minutes * 60 * kSecond);
-    service_.reset();
-    (void)recorder.stop();  // as a program that ends
-    hear(GameState::STATE_PLAYING);
+    net::Parameters of_program;
+    net::Services calls;
+    add_recording_service(recorder, store, of_program, calls);
+    GameService program(options(), *memory, clock, recorder, of_program);
+    tell(GameState::STATE_PLAYING, 1);
+    program.follow();
+    ASSERT_TRUE(recorder.stop());  // as a program that ends
   }
-  hear(GameState::STATE_FINISHED);
   std::vector<std::uint64_t> begins;
   for (const logging::Session& session : store.list()) {
     EXPECT_EQ(session.info.name, "A_vs-5_half-1_14-3_" + std::string(kBuildId)) << "the half that it belongs to";
