@@ -30,9 +30,9 @@ async function timeUntil(browser, game, view, shown) {
 
 /** Asks again and again until the answer is true. */
 async function until(holds, what) {
-  for (let waited = 0; !(await holds()); waited += 0.01) {
+  for (let waited = 0; !(await holds()); waited += 0.03) {
     if (waited > kPatience) throw new Error(`viewer: no ${what} within ${kPatience} s`);
-    await sleep(0.01);
+    await sleep(0.03); // often enough, and the page has time to draw
   }
 }
 
