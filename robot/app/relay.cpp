@@ -118,7 +118,7 @@ Result<void> relay(const RelayOptions& options) {
                    .server = options.server,
                    .log_folder = absolute_path(options.log_folder),
                    .log_bytes = options.log_mb * 1'000'000,
-                   .recent = logging::RecentPastLimits{.file = {.bytes = logging::kRecentBytesOfTeams}},
+                   .recent = logging::kRecentPastOfTeams,
                    .foxglove_file = foxglove_file,
                    .add_statistics =
                        [&](foresight::RuntimeStatistics& statistics) {

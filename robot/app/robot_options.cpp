@@ -154,8 +154,8 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
                          .log_folder = options.log_folder,
                          .log_bytes = options.log_mb * 1'000'000};
   // a replay is looked at in its recording
-  if (options.body != "replay") runtime.recent = logging::RecentPastLimits{};
-  if (options.body == "sim") runtime.recent->file.bytes = logging::kRecentBytesOfTeams;
+  if (options.body != "replay")
+    runtime.recent = options.body == "sim" ? logging::kRecentPastOfTeams : logging::RecentPastLimits{};
   const bool may_hear = options.body == "attached" || options.body == "nao";
   if (!options.game_controller && !may_hear) return runtime;
   const auto team = static_cast<std::uint32_t>(robot.team), player = static_cast<std::uint32_t>(robot.player);

@@ -5,7 +5,6 @@
 
 #include "robot/core/attempt.h"
 #include "robot/core/clock.h"
-#include "robot/core/report.h"
 #include "robot/core/thread.h"
 
 namespace robot::logging {
@@ -13,7 +12,6 @@ namespace {
 
 // The versions that wait must still be in the caches: a period of 1 s cost the process 10 % instead of 4 %.
 constexpr std::uint64_t kPeriodNs = kSecond / 5;
-constexpr std::size_t kQueueBytes = 4 << 20;  // a second of a game that is simulated at 100 times the speed of time
 
 }  // namespace
 
@@ -58,7 +56,7 @@ RecentPast::~RecentPast() {
 void RecentPast::add(const std::shared_ptr<memory::Channel>& channel) {
   if (channel->info().schema.name.ends_with("Image")) return;
   auto provider = std::make_unique<Provider>(file_, limits_.message_bytes);
-  auto carrier = std::make_shared<Carrier>(channel, std::move(provider), kQueueBytes);
+  auto carrier = std::make_shared<Carrier>(channel, std::move(provider), limits_.queue_bytes);
   {
     const std::lock_guard guard(lock_);
     carriers_.push_back(carrier);
@@ -80,11 +78,28 @@ void RecentPast::carry() {
   }
 }
 
+std::uint64_t RecentPast::dropped() const {
+  const std::lock_guard guard(lock_);
+  std::uint64_t dropped = 0;
+  for (const auto& carrier : carriers_) dropped += carrier->status().dropped;
+  return dropped;
+}
+
+void RecentPast::warn_of_drops() {
+  const std::uint64_t dropped = this->dropped();
+  if (dropped == warned_of_) return;
+  warnings_.report(Level::warning, "logging",
+                   "the processor is busy: the last minutes that viewers get lack " +
+                       std::to_string(dropped - warned_of_) + " more messages; recordings are not affected");
+  warned_of_ = dropped;
+}
+
 void RecentPast::run() {
   become_background_thread("log recent");
   for (;;) {
     if (const Result<void> done = attempt("keeping the last minutes", [this] { carry(); }); !done)
       report(Level::warning, "logging", done.error());
+    warn_of_drops();
     std::unique_lock guard(lock_);
     const std::uint64_t next = monotonic_ns() + kPeriodNs;
     while (!ended_ && monotonic_ns() < next) changed_.wait_until(lock_, next);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robot/core/lock.h"
+#include "robot/core/report.h"
 #include "robot/core/result.h"
 #include "robot/logging/recent/recent_file.h"
 #include "robot/logging/streams/carrier.h"
@@ -16,17 +17,19 @@
 
 namespace robot::logging {
 
-/// Room for the chunks of ten robots.
-inline constexpr std::size_t kRecentBytesOfTeams = 60'000'000;
-
 /// The bounds of the past.
 struct RecentPastLimits {
   RecentLimits file;
   std::size_t message_bytes = 16 * 1024;  // larger messages are left out
+  std::size_t queue_bytes = 256 * 1024;   // of the messages of a channel that wait to be carried
 };
 
-/// A thread that carries the versions of all channels into a RecentFile, five times a second. Channels of camera images are left
-/// out. If the system refuses the thread, there is no past, and a report says so. Any thread.
+/// Room for ten robots, and for a game that is simulated at 100 times the speed of time.
+inline constexpr RecentPastLimits kRecentPastOfTeams{.file = {.bytes = 60'000'000}, .queue_bytes = 1024 * 1024};
+
+/// A thread that carries the versions of all channels into a RecentFile, five times a second. Channels of camera images
+/// are left out. While the processor is too busy to carry them, the oldest versions of a full queue are left out and
+/// counted, and a warning says so. If the system refuses the thread, there is no past, and a report says so. Any thread.
 class RecentPast {
  public:
   /// `channels` outlives it.
@@ -38,11 +41,15 @@ class RecentPast {
   /// Returns the messages of the last minutes, up to this call, as one MCAP file; with `topics`, only those of them.
   Result<std::shared_ptr<const ByteSource>> file(std::span<const std::string> topics = {});
 
+  /// Returns the number of versions that were left out because a queue was full.
+  std::uint64_t dropped() const;
+
  private:
   class Provider;
 
   void add(const std::shared_ptr<memory::Channel>& channel);
   void carry();
+  void warn_of_drops();
   void run();
 
   memory::Channels& channels_;
@@ -52,10 +59,13 @@ class RecentPast {
   Mutex carrying_;  // guards the file and the calls of the carriers
   RecentFile file_;
 
-  Mutex lock_;  // guards the rest; never held while anything is carried
+  mutable Mutex lock_;  // guards the rest; never held while anything is carried
   Condition changed_;
   std::vector<std::shared_ptr<Carrier>> carriers_;
   bool ended_ = false;
+
+  Throttle warnings_;  // these two are of the thread
+  std::uint64_t warned_of_ = 0;
   std::thread thread_;  // declared last, because it uses the others
 };
 

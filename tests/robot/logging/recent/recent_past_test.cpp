@@ -54,12 +54,23 @@ TEST_F(Past, HoldsEveryVersionThatWasWrittenBeforeTheCall) {
 TEST_F(Past, LeavesOutImagesAndLargeMessages) {
   const auto camera = add("/camera", "foresight.Image"), foreign = add("/foreign", "foxglove.CompressedImage");
   const auto mixed = add("/mixed");
-  RecentPast past(channels, {.file = {}, .message_bytes = 100});
+  RecentPast past(channels, {.file = {}, .message_bytes = 100, .queue_bytes = 1024});
   for (const auto& channel : {camera, foreign, mixed}) {
     ASSERT_TRUE(channel->write_bytes(std::string(100, 'x'), 1));
     ASSERT_TRUE(channel->write_bytes(std::string(101, 'x'), 2));
   }
   EXPECT_EQ(counts_of(past), (Counts{{"/mixed", 1}}));
+}
+
+TEST_F(Past, CountsTheVersionsThatAFullQueueLeavesOut) {
+  const auto channel = add("/burst");
+  RecentPast past(channels, {.file = {}, .queue_bytes = 1024});
+  constexpr std::uint64_t kWritten = 20'000;
+  for (std::uint64_t i = 1; i <= kWritten; ++i) ASSERT_TRUE(channel->write_bytes(std::string(100, 'x'), i));
+  const std::uint64_t held = counts_of(past)["/burst"];
+  EXPECT_GT(held, 0u);
+  EXPECT_GT(past.dropped(), 0u);
+  EXPECT_EQ(held + past.dropped(), kWritten);
 }
 
 TEST_F(Past, ManyThreadsMayWriteAndAsk) {
