@@ -71,13 +71,26 @@ void TopicPlayer::play() {
       moves = follow();
       continue;
     }
-    const Track::Message& message = *playing->next;
-    const Result<void> entered = attempt("a message", [&] {
-      return playing->channels[message.topic]->write_bytes(message.record.bytes, message.record.capture_ns);
-    });
-    if (!entered) report(Level::error, "recording", entered.error());
+    if (!is_known(*playing)) write(*playing);
     playing->next = playing->track->next();
   }
+}
+
+/// Returns whether the channel of the next message has it already, because its track was opened anew for more topics.
+bool TopicPlayer::is_known(const Playing& playing) {
+  const auto& [topic, record] = *playing.next;
+  if (record.capture_ns > playing.known_until_ns) return false;
+  const memory::VersionPtr newest = playing.channels[topic]->newest();
+  return newest && newest->capture_ns() == record.capture_ns;
+}
+
+void TopicPlayer::write(const Playing& playing) {
+  const auto& [topic, record] = *playing.next;
+  memory::Channel& channel = *playing.channels[topic];
+  const Result<void> entered = attempt("a message", [&channel, &bytes = record.bytes, capture_ns = record.capture_ns] {
+    return channel.write_bytes(bytes, capture_ns);
+  });
+  if (!entered) report(Level::error, "recording", entered.error());
 }
 
 /// Returns the track whose next message comes first, or null if all are at their end.
@@ -108,13 +121,7 @@ std::uint64_t TopicPlayer::follow() {
     if (!sought && !is_new) continue;
     playing.track->seek(move.to_ns);
     playing.next = playing.track->next();
-    // of a track that goes on with more topics the others have their value already
-    const auto has_it = [&] {
-      const memory::VersionPtr newest = playing.channels[playing.next->topic]->newest();
-      return newest && newest->capture_ns() == playing.next->record.capture_ns;
-    };
-    while (!sought && playing.next && playing.next->record.capture_ns <= move.to_ns && has_it())
-      playing.next = playing.track->next();
+    playing.known_until_ns = sought ? 0 : move.to_ns;
   }
   return move.count;
 }

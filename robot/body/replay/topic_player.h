@@ -61,6 +61,7 @@ class TopicPlayer {
     std::unique_ptr<Track> track;
     std::vector<std::shared_ptr<memory::Channel>> channels;
     std::optional<Track::Message> next;
+    std::uint64_t known_until_ns = 0;  // up to here its channels may have messages that come again
   };
 
   void run();
@@ -68,6 +69,8 @@ class TopicPlayer {
   std::uint64_t follow();
   void open_anew(const std::string& track);
   Playing* first();
+  static bool is_known(const Playing& playing);
+  static void write(const Playing& playing);
 
   const Replay& replay_;
   const std::uint64_t end_ns_;

@@ -130,7 +130,8 @@ class HandPlayhead final : public OwnPlayhead {
 
 inline Result<std::unique_ptr<OwnPlayhead>> HandPlayback::own_playhead(std::optional<std::uint64_t> from_ns) {
   if (!has_room) return Error{"there are too many"};
-  return std::unique_ptr<OwnPlayhead>(std::make_unique<HandPlayhead>(*this, from_ns.value_or(start_ns())));
+  const std::uint64_t begin_ns = from_ns && *from_ns >= start_ns() ? *from_ns : start_ns();
+  return std::unique_ptr<OwnPlayhead>(std::make_unique<HandPlayhead>(*this, begin_ns));
 }
 
 class HubTest : public testing::Test {
