@@ -63,10 +63,10 @@ test("each page has a time of its own: one pauses, seeks and steps while the oth
   const shared = await sharer(t, server);
   await shared.order({ play: false });
   const heard = shared.states.length;
-  const [one, other] = [
-    await open(t, `${server.http}/#/14/2/field`),
-    await open(t, `${server.http}/#/14/3/plot?plot=/14/2/pose.x`),
-  ];
+  const [one, other] = [await open(t, "about:blank"), await open(t, `${server.http}/#/14/3/plot?plot=/14/2/pose.x`)];
+  const events = one.page.waitForResponse(/\/api\/whole\/events/);
+  await one.page.goto(`${server.http}/#/14/2/field`);
+  await (await events).finished();
   await Promise.all([goesOn(one.page), goesOn(other.page)]); // although the shared playback is paused
 
   await one.page.keyboard.press("Space");
@@ -143,6 +143,7 @@ test("a page that follows is moved by all who follow; a page with its own time i
   // the key does the same
   await own.page.keyboard.press("t");
   await moment(own.page, "the shared place", (ns) => ns === begin_ns + 40n * kSecond);
+  await own.page.getByText("nothing is kept here").waitFor({ state: "detached" });
   await own.page.setViewportSize(kPhone);
   await shoot(own.page, "playhead-phone");
   assert.deepEqual([...follower.problems, ...own.problems], []);

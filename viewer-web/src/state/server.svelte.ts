@@ -37,6 +37,7 @@ const kWatchService = "watch_session";
 const kOutdated = 0.3; // [s] after a seek: an object without a message by then has no value there
 const kIntroduction = 1; // [s] for the introduction of a server without services
 const kCounting = 2; // [s] until a server has written each of its streams and counted it, once a second
+const kTopicsAtOnce = 8; // the server refuses more than 32 requests of a page at once
 const kSettled = 0.15; // [s] the page waits at a moment before the server seeks it too
 
 /** Receives a server's sentences. */
@@ -224,16 +225,17 @@ export class Server implements Listener {
    */
   async nearestTo(topics: string[], at_ns: bigint): Promise<bigint | undefined> {
     if (!this.findsFrames) return nearestKept(this.memory, topics, at_ns);
-    const beside = topics.flatMap((topic) =>
-      [-1, 1].map((by) => this.frameBeside(topic, at_ns, by).catch(() => undefined)),
-    );
+    const beside: (bigint | undefined)[] = [];
+    for (let i = 0; i < topics.length; i += kTopicsAtOnce) {
+      const some = topics.slice(i, i + kTopicsAtOnce);
+      const asked = some.flatMap((topic) =>
+        [-1, 1].map((by) => this.frameBeside(topic, at_ns, by).catch(() => undefined)),
+      );
+      beside.push(...(await Promise.all(asked)));
+    }
     // at an end of a stream the answer is the moment itself
-    return (
-      nearestOf(
-        (await Promise.all(beside)).filter((time_ns) => time_ns !== at_ns),
-        at_ns,
-      ) ?? nearestKept(this.memory, topics, at_ns)
-    );
+    const others = beside.filter((time_ns) => time_ns !== at_ns);
+    return nearestOf(others, at_ns) ?? nearestKept(this.memory, topics, at_ns);
   }
 
   /** Pauses at `at_ns`: at once if the page holds the moment, else by a wish. */

@@ -273,6 +273,21 @@ test("who shares the playback is moved by others; a playhead of its own is moved
   expect(told.followed).toBe(1);
 });
 
+test("the nearest moment of many topics is asked for a few topics at a time", async () => {
+  opens(recorded());
+  server.services(["message_beside"]);
+  let [underWay, most] = [0, 0];
+  vi.spyOn(server, "frameBeside").mockImplementation(async (topic, at_ns, by) => {
+    most = Math.max(most, ++underWay);
+    await settled();
+    --underWay;
+    return topic === "/14/2/x17" && by > 0 ? at_ns + 3n : at_ns + BigInt(by) * 9n;
+  });
+  const topics = Array.from({ length: 20 }, (_, i) => `/14/2/x${i}`);
+  expect(await server.nearestTo(topics, 10n * kSecond)).toBe(10n * kSecond + 3n);
+  expect(most).toBeLessThanOrEqual(32);
+});
+
 test("robots, session, body and practice are those that the server tells", () => {
   expect(server.practice).toBe(false);
   server.introduced(infoOf({ metadata: { body: "sim", session: "final" } }), true, false);
