@@ -283,7 +283,7 @@ TEST(Advisor, TheCaptainReturnsToTheDefaultWithoutASureGain) {
   fixture.captain_until([&] { return strategy() && strategy()->value().epoch() == 45; });
   EXPECT_EQ(fixture.advisor->strategy(), "baseline");
   const std::string reason = strategy()->value().reason();
-  EXPECT_EQ(reason.find("back to baseline: kick_now "), 0u) << reason;
+  EXPECT_EQ(reason.find("back to baseline: no difference from kick_now was seen in "), 0u) << reason;
 }
 
 /// Returns the strategy after `change` came during the captain's question and the question was answered.

@@ -55,9 +55,12 @@ TEST(ContestPage, IsWellFormed) { EXPECT_EQ(fault_of(page_of(short_report())), "
 
 TEST(ContestPage, LinksToTheGamesThatLieBesideIt) {
   Json report = short_report();
+  report["decisive"] = Json::array();
+  for (int i = 1; i <= 7; ++i)
+    report["decisive"].push_back({{"pair", i}, {"gain", i % 2 ? i : -i}, {"replay", "foresight-sim match --seed 7"}});
   EXPECT_EQ(page_of(report).find("<a "), std::string::npos);
   const std::vector<Json*> pairs = shown_pairs(report);
-  ASSERT_FALSE(pairs.empty());
+  ASSERT_EQ(pairs.size(), 5u);
   for (std::size_t i = 1; i < pairs.size(); ++i)
     EXPECT_GE(std::abs(pairs[i - 1]->at("gain").get<double>()), std::abs(pairs[i]->at("gain").get<double>()));
   for (Json* pair : pairs) (*pair)["game"] = "seed-<" + pair->at("pair").dump() + ">.mcap";

@@ -72,9 +72,9 @@ TEST_F(RoutesTest, ALinkOfAReportToARecordingBesideItOpensTheViewer) {
   EXPECT_EQ(game.status, 302);
   EXPECT_EQ(header(game, "Location"), "/#/?session=seed-7.mcap");
   EXPECT_EQ(get("/reports/report.html?token=r").status, 404) << "this program plays nothing";
-  for (const char* path :
-       {"/reports/", "/reports/a.txt", "/reports/..%2fa.html", "/reports/a/b.html", "/reports/.a.html"})
+  for (const char* path : {"/reports/", "/reports/a.txt", "/reports/a/b.html", "/reports/.a.html"})
     EXPECT_EQ(get(std::string(path) + "?token=r").status, 404) << path;
+  EXPECT_EQ(get("/reports/..%2fa.html?token=r").status, 400);
   EXPECT_EQ(get("/reports/report.html", {}, "10.0.0.9").status, 401);
   EXPECT_EQ(Routes::work_of({.method = "GET", .target = "/reports/report.html"}), Work::files);
 }
