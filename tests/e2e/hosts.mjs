@@ -132,7 +132,7 @@ export const questioner = (t, host, address, query) =>
     if (binary && bytes[0] === 3) return say({ op: "answer", answer: JSON.parse(bytes.subarray(13 + bytes.readUInt32LE(9))) });
     if (binary) return;
     const told = JSON.parse(bytes);
-    service ??= told.services?.find(({ name }) => name === "what_if")?.id;
+    service ??= told.services?.find(({ name }) => name === "/foresight/what_if")?.id;
     if (told.op === "advertiseServices" && service !== undefined) say({ op: "ready" });
     if (told.op === "serviceCallFailure") say(told);
   });

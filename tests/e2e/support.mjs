@@ -208,7 +208,12 @@ export function request(server, path, { address = "127.0.0.1", ...options } = {}
 
 export const getJson = async (server, path, options) => JSON.parse((await request(server, path, options)).body);
 export const statusOf = (server) => getJson(server, "/api/status");
-export const sessionsOf = async (server) => (await getJson(server, "/api/sessions")).sessions;
+/** The sessions of a server, when it has read all of their files. */
+export const sessionsOf = (server) =>
+  until(async () => {
+    const { sessions } = await getJson(server, "/api/sessions");
+    return sessions.every(({ message }) => !message.startsWith("its files are being read")) && sessions;
+  }, "the account of all sessions");
 
 /** Waits until a recording has begun. Returns the name of its session. */
 export const recordedSession = (server) =>

@@ -1,5 +1,6 @@
 #include "robot/net/http/response_head.h"
 
+#include <algorithm>
 #include <utility>  // before Asio: Boost 1.74 uses std::exchange without it
 
 #define BOOST_ERROR_CODE_HEADER_ONLY
@@ -13,9 +14,10 @@ namespace {
 
 namespace http = boost::beast::http;
 
+constexpr std::string_view kPolicyName = "Content-Security-Policy";
 constexpr std::string_view kPolicy =
     "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' blob: data:; object-src 'none'; "
-    "base-uri 'none'; form-action 'none'; frame-ancestors ";
+    "base-uri 'none'; form-action 'none'";
 constexpr std::pair<std::string_view, std::string_view> kSecurityHeaders[] = {{"X-Content-Type-Options", "nosniff"},
                                                                               {"Referrer-Policy", "no-referrer"}};
 
@@ -25,7 +27,10 @@ std::string response_head(const HttpResponse& response, bool keep_alive, std::st
   Headers headers = response.headers;
   if (response.status != 204 && response.status != 304)
     headers.emplace_back("Content-Length", std::to_string(response.body_size()));
-  headers.emplace_back("Content-Security-Policy", std::string(kPolicy).append(frame_ancestors));
+  // a browser obeys each policy that it gets, so there must be only one
+  auto policy = std::ranges::find(headers, kPolicyName, &Headers::value_type::first);
+  if (policy == headers.end()) policy = headers.emplace(policy, kPolicyName, kPolicy);
+  policy->second.append("; frame-ancestors ").append(frame_ancestors);
   headers.insert(headers.end(), std::begin(kSecurityHeaders), std::end(kSecurityHeaders));
   headers.emplace_back("Connection", keep_alive ? "keep-alive" : "close");
   return plain_head(response.status, headers);

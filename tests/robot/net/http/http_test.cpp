@@ -64,6 +64,14 @@ TEST(Response, HasLengthAndSecurityHeaders) {
   EXPECT_TRUE(head.ends_with("\r\n\r\n"));
 }
 
+TEST(Response, KeepsItsOwnContentSecurityPolicyAlone) {
+  HttpResponse page = text_response(200, "text/html", "<p>");
+  page.headers.emplace_back("Content-Security-Policy", "default-src 'none'");
+  const std::string head = response_head(page, true);
+  EXPECT_NE(head.find("Content-Security-Policy: default-src 'none'; frame-ancestors 'none'\r\n"), std::string::npos);
+  EXPECT_EQ(head.find("default-src 'self'"), std::string::npos);
+}
+
 TEST(Response, HasTheReasonOfEachStatus) {
   const std::pair<int, std::string_view> reasons[] = {{200, "OK"},
                                                       {204, "No Content"},
