@@ -96,8 +96,8 @@ test("a recording plays from a seek to its end, and again on request", async (t)
   );
   assert.deepEqual(told, { status: kPaused, time_ns: end_ns - 100_000_000n, speed: 1, didSeek: true, id: "" });
 
-  const playing = await ask({ play: true, speed: 0.5 });
-  assert.deepEqual([playing.status, playing.speed, playing.didSeek], [kPlaying, 0.5, false]);
+  const playing = await ask({ play: true, speed: 0.0625 }); // a busy machine answers before the end, too
+  assert.deepEqual([playing.status, playing.speed, playing.didSeek], [kPlaying, 0.0625, false]);
   await live.until(() => states.at(-1).status === kEnded, "the end");
   await live.until(() => live.times.at(-1) === end_ns, "the time of the end");
 
