@@ -1,5 +1,5 @@
 // Readers of topics of a recording for playheads of their own.
-#include <algorithm>
+#include <map>
 #include <mutex>
 #include <utility>
 
@@ -29,28 +29,31 @@ Result<std::shared_ptr<const logging::McapFile>> Replay::file_of(const Played& s
 
 Result<std::unique_ptr<Track>> Replay::open_track(const std::vector<std::string>& topics,
                                                   const std::atomic<bool>& cancelled) const {
-  std::vector<logging::TopicStream> streams;
-  std::shared_ptr<const logging::McapFile> file;
-  std::int64_t shift_ns = 0;
-  for (const std::string& topic : topics) {
-    const std::optional<Played> played = find(topic);
-    if (!played) return Error{"expected a topic that is played, got '" + topic + "'"};
-    if (played->made) {
-      auto stream = open_stream(*played);
-      if (auto opened = stream->open(); !opened) return opened.failure();
-      return std::unique_ptr<Track>(std::make_unique<StreamTrack>(std::move(stream), cancelled));
-    }
-    auto opened = file_of(*played);
-    if (!opened) return opened.failure();
-    file = std::move(*opened);
-    shift_ns = played->recording->shift_ns;
-    const auto all = logging::topic_streams(file->index());
-    const auto found = std::ranges::find(all, played->file->topic,
-                                         [](const logging::TopicStream& stream) { return stream.info.topic; });
-    if (found == all.end()) return Error{file->source().name() + ": expected a channel " + topic + ", there is none"};
-    streams.push_back(*found);
+  std::map<std::string, Played> by_topic;
+  for (const Played& stream : played()) by_topic.emplace(name_of(stream), stream);
+  const auto found = [&](const std::string& topic) { return by_topic.find(topic); };
+  if (topics.empty() || found(topics.front()) == by_topic.end())
+    return Error{"expected a topic that is played, got '" + (topics.empty() ? "" : topics.front()) + "'"};
+  const Played& first = found(topics.front())->second;
+  if (first.made) {
+    auto stream = open_stream(first);
+    if (auto opened = stream->open(); !opened) return opened.failure();
+    return std::unique_ptr<Track>(std::make_unique<StreamTrack>(std::move(stream), cancelled));
   }
-  return std::unique_ptr<Track>(std::make_unique<FileTrack>(std::move(file), streams, shift_ns, cancelled));
+  auto file = file_of(first);
+  if (!file) return file.failure();
+  std::map<std::string, logging::TopicStream> streams;
+  for (logging::TopicStream& stream : logging::topic_streams((*file)->index()))
+    streams.emplace(stream.info.topic, std::move(stream));
+  std::vector<logging::TopicStream> wanted;
+  for (const std::string& topic : topics) {
+    const auto played = found(topic);
+    const auto stream = played == by_topic.end() ? streams.end() : streams.find(played->second.file->topic);
+    if (stream == streams.end()) return Error{(*file)->source().name() + ": expected a channel " + topic};
+    wanted.push_back(std::move(stream->second));
+  }
+  return std::unique_ptr<Track>(
+      std::make_unique<FileTrack>(std::move(*file), wanted, first.recording->shift_ns, cancelled));
 }
 
 }  // namespace robot::body
