@@ -26,14 +26,14 @@ export const proofs = [
     question:
       "Cost of `write` beyond filling the message, while it is recorded and 10 viewers watch, one of them stalled: own CPU time, p99.9; wall clock, p99",
     bar: "< 20 us; < 100 us",
-    seen: "**18 us to 35 us**; 14 us. On an EPYC over four runs: **16 us to 57 us**, 19 us in the newest, and 15 us without viewers. A writer that has slept finds cold caches: a computation of the same length without any write takes up to 25 us there",
+    seen: "**18 us to 35 us**; 14 us. On an EPYC over five runs: **16 us to 57 us**; **46 us** and **65 us** without viewers in the newest, on a host that other machines slowed down. A writer that has slept finds cold caches: a computation of the same length without any write takes up to 25 us there, and 39 us in the newest run",
     by: "interference",
   },
   {
     question:
       "A loop of 30 Hz that takes 70 % of a core: change of its period's p99 by recording, 3 viewers and a stalled one",
     bar: "<= 1 ms",
-    seen: "0.002 ms on an EPYC; -0.04 ms",
+    seen: "0.002 ms on an EPYC; -0.04 ms. **16.6 ms** in the newest run, on a slow host where the loop alone has a p99 of 52 ms",
     by: "interference",
   },
   {
