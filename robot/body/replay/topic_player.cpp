@@ -114,7 +114,7 @@ std::uint64_t TopicPlayer::follow() {
     move = clock_.last_move();
   }
   std::ranges::sort(changed);
-  changed.erase(std::ranges::unique(changed).begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   for (const std::string& track : changed) open_anew(track);
   for (auto& [name, playing] : playing_) {
     const bool is_new = std::ranges::binary_search(changed, name);
