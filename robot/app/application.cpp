@@ -178,8 +178,7 @@ net::HttpResponse Application::delete_session(const std::string& session) {
 net::HttpResponse Application::report_page(const std::string& page) {
   if (!played_) return net::Backend::report_page(page);
   const std::filesystem::path path = store_.folder() / page;
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
+  if (!is_plain_file(path))
     return net::error_response(404, "reports: there is no page '" + page + "' beside the recording");
   Result<std::string> html = read_file(path, kMaxReportBytes);
   if (!html) return net::error_response(404, html.error());

@@ -27,7 +27,8 @@ struct RelayOptions {
 };
 
 /// Serves the channels of the robots, with the same topics and schemas, until SIGINT or SIGTERM. After a lost
-/// connection it connects again by itself. Its page and its recordings have the rules of the first robot that reports some. The times of a robot with a wrong clock are shifted to this machine's clock.
+/// connection it connects again by itself. Its page and its recordings have the rules of the first robot that reports
+/// some. The times of a robot with a wrong clock are shifted to this machine's clock.
 Result<void> relay(const RelayOptions& options);
 
 }  // namespace robot::app

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <memory>
 #include <optional>
+#include <system_error>
 
 #include "robot/core/clock.h"
 #include "robot/core/files.h"
@@ -55,6 +56,11 @@ Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& path, 
   }
   std::ranges::sort(entries, {}, &FolderEntry::name);
   return entries;
+}
+
+bool is_plain_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored));
 }
 
 }  // namespace robot

@@ -26,4 +26,7 @@ struct FolderEntry {
 /// Does not throw.
 Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& path, std::size_t most = 100'000);
 
+/// Returns whether a file lies at `path`, and no folder, symbolic link, named pipe or device. Does not throw.
+bool is_plain_file(const std::filesystem::path& path);
+
 }  // namespace robot

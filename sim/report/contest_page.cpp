@@ -244,8 +244,7 @@ std::string decisive(Json report) {
 std::string about_decisive(const Json& report) {
   const bool saved = report.at("decisive").front().contains("game");
   return saved ? "B's gain; the recorded game in which B is at home; and the command that plays it again. The links "
-                 "open the "
-                 "viewer if <code>foresight-lab play</code> serves this page."
+                 "open the viewer if <code>foresight-lab play</code> serves this page."
                : "B's gain, and the command that plays the game in which B is at home; "
                  "<code>foresight-lab play game.mcap</code> shows it.";
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "robot/body/replay/replay.h"
+#include "robot/core/folder.h"
 #include "robot/core/json_library.h"
 
 namespace robot::app {
@@ -14,10 +15,9 @@ namespace {
 /// Returns the MCAP file with many channels that lies beside the sessions, or nothing.
 std::optional<std::filesystem::path> file_called(const logging::SessionStore& store, const std::string& name) {
   const std::filesystem::path path(name);
-  std::error_code ignored;
   if (path.filename() != path || path.extension() != ".mcap") return {};
   const std::filesystem::path file = store.folder() / path;
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored))) return {};
+  if (!is_plain_file(file)) return {};
   return file;
 }
 

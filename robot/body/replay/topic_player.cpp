@@ -1,6 +1,5 @@
 #include "robot/body/replay/topic_player.h"
 
-#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -39,7 +38,7 @@ std::shared_ptr<memory::Channel> TopicPlayer::watch(const memory::ChannelInfo& i
   if (++watched.watches > 1) return watched.channel;
   watched.channel = std::make_shared<memory::RawChannel>(info, clock_);
   watched.track = *track;
-  changed_.push_back(*track);
+  changed_.insert(*track);
   clock_.look_again();
   return watched.channel;
 }
@@ -48,7 +47,7 @@ void TopicPlayer::unwatch(const std::string& topic) {
   const std::lock_guard guard(lock_);
   const auto found = watched_.find(topic);
   if (found == watched_.end() || --found->second.watches > 0) return;
-  changed_.push_back(found->second.track);
+  changed_.insert(found->second.track);
   watched_.erase(found);
   clock_.look_again();
 }
@@ -104,7 +103,7 @@ TopicPlayer::Playing* TopicPlayer::first() {
 /// Obeys the changes since the last call: opens the tracks whose topics changed, and moves all of them after a seek.
 /// Returns the count of moves that it knows.
 std::uint64_t TopicPlayer::follow() {
-  std::vector<std::string> changed;
+  std::set<std::string> changed;
   bool sought = false;
   logging::Pace::Move move;
   {
@@ -113,12 +112,9 @@ std::uint64_t TopicPlayer::follow() {
     sought = std::exchange(sought_, false);
     move = clock_.last_move();
   }
-  std::ranges::sort(changed);
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   for (const std::string& track : changed) open_anew(track);
   for (auto& [name, playing] : playing_) {
-    const bool is_new = std::ranges::binary_search(changed, name);
-    if (!sought && !is_new) continue;
+    if (!sought && !changed.contains(name)) continue;
     playing.track->seek(move.to_ns);
     playing.next = playing.track->next();
     playing.known_until_ns = sought ? 0 : move.to_ns;

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -79,7 +80,7 @@ class TopicPlayer {
 
   Mutex lock_;                              // guards the next three
   std::map<std::string, Watched> watched_;  // by topic
-  std::vector<std::string> changed_;        // tracks whose watched topics changed
+  std::set<std::string> changed_;           // tracks whose watched topics changed
   bool sought_ = false;                     // the playhead was moved
 
   std::map<std::string, Playing> playing_;  // by the name of the track; only of the thread

@@ -4,6 +4,8 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/core/folder.h"
+
 namespace robot::logging {
 namespace {
 
@@ -24,8 +26,7 @@ Result<std::shared_ptr<const Assembly>> Downloads::open(const Session& session,
     if (file.topic.empty()) continue;
     const std::filesystem::path path = session.folder / file.file;
     // links and pipes are not served
-    std::error_code gone;
-    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path, gone))) files.push_back(path);
+    if (is_plain_file(path)) files.push_back(path);
   }
   if (files.empty())
     return Error{"session " + session.id() + ": there is no stream" + (stream ? " '" + *stream + "'" : "")};

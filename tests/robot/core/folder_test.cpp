@@ -31,6 +31,15 @@ TEST(Folders, ListTheirEntriesByNameAndFollowNoLink) {
   EXPECT_EQ((*entries)[3].kind, Kind::other) << "a pipe";
 }
 
+TEST(Folders, TellAPlainFileFromAllElse) {
+  const tests::TemporaryFolder folder;
+  ASSERT_TRUE(replace_file(folder / "file", ""));
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  ASSERT_EQ(::symlink("file", (folder / "link").c_str()), 0);
+  EXPECT_TRUE(is_plain_file(folder / "file"));
+  for (const char* name : {"pipe", "link", ".", "none"}) EXPECT_FALSE(is_plain_file(folder / name)) << name;
+}
+
 TEST(Folders, WithTooManyEntriesAreRefused) {
   const tests::TemporaryFolder folder;
   for (const char* name : {"a", "b", "c"}) ASSERT_TRUE(replace_file(folder / name, ""));

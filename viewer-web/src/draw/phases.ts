@@ -7,7 +7,7 @@ import type { Pen } from "./field";
 import { hatch } from "./hatch";
 import { ticksOf, xOf, type Colours, type Count, type Span } from "./timeline";
 
-/** Of different brightness; the words on them identify the rest. */
+/** The colours differ in brightness. The words on the strip name the skills. */
 export const kSkillColours = ["#56b4e9", "#e69f00", "#f0e442", "#7486fe", "#4eee73", "#f84360", "#39aea5", "#5658f2"];
 
 /** A skill always has the same colour, and neighbours in the list have different ones. */

@@ -9,12 +9,16 @@
 namespace robot::app {
 namespace {
 
-TEST(WatchService, RefusesEverythingThatIsNoSessionOfTheFolder) {
+struct WatchService : ::testing::Test {
+  WatchService() { add_watch_service(services, store, wish); }
+
   const tests::TemporaryFolder folder;
-  const logging::SessionStore store(folder.path(), 1'000'000);
+  const logging::SessionStore store{folder.path(), 1'000'000};
   net::Services services;
   WatchWish wish;
-  add_watch_service(services, store, wish);
+};
+
+TEST_F(WatchService, RefusesEverythingThatIsNoSessionOfTheFolder) {
   const net::ClientContext here{.id = 1, .loopback = true, .may_control = true};
   for (const char* request :
        {"{}", R"({"session":3})", R"({"session":"none"})", R"({"session":"../x"})", R"({"session":""})"})
@@ -23,12 +27,7 @@ TEST(WatchService, RefusesEverythingThatIsNoSessionOfTheFolder) {
   EXPECT_FALSE(wish.get());
 }
 
-TEST(WatchService, PlaysAFileWithManyChannelsBesideTheSessions) {
-  const tests::TemporaryFolder folder;
-  const logging::SessionStore store(folder.path(), 1'000'000);
-  net::Services services;
-  WatchWish wish;
-  add_watch_service(services, store, wish);
+TEST_F(WatchService, PlaysAFileWithManyChannelsBesideTheSessions) {
   const auto watch = [&](const std::string& name) {
     return services.call(1, R"({"session":")" + name + "\"}", {.id = 1, .loopback = true, .may_control = true});
   };

@@ -76,18 +76,21 @@ inline std::vector<Derived> derive_twice(const memory::ChannelInfo& source) {
 
 class HandPlayhead;
 
+/// Puts a playhead into the state that `wish` asks for. Returns whether that is another place.
+inline bool obey(const foxglove::PlaybackControl& wish, Playhead::State& now) {
+  now = {.status = wish.play ? foxglove::Playback::playing : foxglove::Playback::paused,
+         .time_ns = wish.seek_ns.value_or(now.time_ns),
+         .speed = wish.speed};
+  return wish.seek_ns.has_value();
+}
+
 /// A recording from 1000 to 9000 that obeys every request.
 class HandPlayback final : public Playback {
  public:
   std::uint64_t start_ns() const override { return 1000; }
   std::uint64_t end_ns() const override { return 9'000'000'005; }
   State state() const override { return now; }
-  bool control(const foxglove::PlaybackControl& wish) override {
-    now = {.status = wish.play ? foxglove::Playback::playing : foxglove::Playback::paused,
-           .time_ns = wish.seek_ns.value_or(now.time_ns),
-           .speed = wish.speed};
-    return wish.seek_ns.has_value();
-  }
+  bool control(const foxglove::PlaybackControl& wish) override { return obey(wish, now); }
   Result<std::unique_ptr<OwnPlayhead>> own_playhead(std::optional<std::uint64_t> from_ns) override;
   State now;
   std::map<std::uint64_t, HandPlayhead*> own;  // by the time at which each was made
@@ -104,12 +107,7 @@ class HandPlayhead final : public OwnPlayhead {
   ~HandPlayhead() override { of_.own.erase(made_ns_); }
 
   State state() const override { return now; }
-  bool control(const foxglove::PlaybackControl& wish) override {
-    now = {.status = wish.play ? foxglove::Playback::playing : foxglove::Playback::paused,
-           .time_ns = wish.seek_ns.value_or(now.time_ns),
-           .speed = wish.speed};
-    return wish.seek_ns.has_value();
-  }
+  bool control(const foxglove::PlaybackControl& wish) override { return obey(wish, now); }
   std::shared_ptr<memory::Channel> watch(const memory::ChannelInfo& info) override {
     if (info.topic != "/14/2/base") return nullptr;
     ++watches;
