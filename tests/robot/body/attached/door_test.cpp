@@ -331,7 +331,8 @@ TEST_F(TheDoor, TellsWhenNoProcessWritesAnObjectAnyMore) {
   seventh.set_x(7);
   ASSERT_TRUE(write(second, seventh.SerializeAsString()));  // waits for its turn
   const Writer pose = announce("pose", "foresight.Pose");
-  ASSERT_TRUE(write(pose, ""));
+  // the door takes processes in their order: when it has this one, it has the second
+  ASSERT_TRUE(tests::eventually([&] { return write(pose, "") && newest("/14/2/pose"); }));
   first.reset();
   ASSERT_TRUE(tests::eventually([&] { return memory->ball.read()->value().x() == 7; }));
   EXPECT_TRUE(told().empty());
