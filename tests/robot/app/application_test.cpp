@@ -89,7 +89,8 @@ TEST_F(ServedSession, ItsChosenObjectsAreListedOrNone) {
   EXPECT_EQ(json::parse(application.sessions_json())["sessions"][0]["only"], json::array());
   auto writer = logging::SessionWriter::create(folder / "two", {.robot = "14/2", .only = {"a"}});
   ASSERT_TRUE((*writer)->close());
-  for (const json& session : json::parse(application.sessions_json())["sessions"])
+  const json listing = json::parse(application.sessions_json());
+  for (const json& session : listing["sessions"])
     EXPECT_EQ(session["only"], session["session"] == "two" ? json::array({"a"}) : json::array());
 }
 
