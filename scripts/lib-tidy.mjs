@@ -2,9 +2,10 @@
 //
 //   node scripts/lib-tidy.mjs BUILD_FOLDER TIDY_FOLDER
 //
-// Prints a line `MARK FILE` for each of our source files that must be checked. When clang-tidy passes FILE, make the empty
-// file MARK: then FILE is not printed again. It is printed again after a change of the file, a header that it includes, its
-// compile command, the configuration or clang-tidy itself. TIDY_FOLDER also receives the compile_commands.json to use.
+// Prints a line `MARK FILE` for each file that the compiler reads and that must be checked: one of our sources, or one that
+// includes several of them. When clang-tidy passes FILE, make the empty file MARK: then FILE is not printed again. It is
+// printed again after a change of the file, a file that it includes, its compile command, the configuration or clang-tidy
+// itself. TIDY_FOLDER also receives the compile_commands.json to use.
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -15,11 +16,11 @@ const root = resolve(".");
 mkdirSync(join(tidyFolder, "passed"), { recursive: true });
 
 // tests are left out: checking them takes twice as long as all the rest, and their faults show when they run
-const isOurs = (path) => /^(robot|sim)\//.test(relative(root, path));
+const isOurs = (path) => [root, buildFolder].some((folder) => /^(robot|sim)\//.test(relative(folder, path)));
 const commands = JSON.parse(readFileSync(join(buildFolder, "compile_commands.json"), "utf8"))
   .filter(({ file }) => isOurs(file))
-  // clang cannot read a precompiled header of another compiler, and the files include everything that they use
-  .map((entry) => ({ ...entry, command: entry.command.replace(/ -Winvalid-pch| -include \S*cmake_pch\.hxx/g, "") }));
+  // clang does not know these options of gcc
+  .map((entry) => ({ ...entry, command: entry.command.replaceAll(" -Wno-subobject-linkage", "") }));
 writeFileSync(join(tidyFolder, "compile_commands.json"), JSON.stringify(commands, null, 1));
 
 /** Returns the headers of each object file as ninja recorded them: object → paths. */

@@ -9,7 +9,7 @@ namespace {
 using enum Value;
 using pb::PlayerState;
 
-constexpr std::size_t kLetters = 4;  // "RGme"
+constexpr std::size_t kLettersSize = 4;  // "RGme"
 
 // ---------------------------------------------------------------------------------------------------------------------
 // heads
@@ -233,7 +233,7 @@ constexpr std::size_t sum(std::span<const Field> fields) {
 }
 
 constexpr std::size_t size_of(const ControlLayout& layout) {
-  return kLetters + sum(layout.head) + 2 * (sum(layout.team) + layout.players * sum(layout.player));
+  return kLettersSize + sum(layout.head) + 2 * (sum(layout.team) + layout.players * sum(layout.player));
 }
 
 // sizeof(RoboCupGameControlData) of each release's header, by a compiler

@@ -10,7 +10,7 @@
 namespace robot::game {
 namespace {
 
-constexpr std::string_view kLetters = "RGme";
+constexpr std::string_view kControlLetters = "RGme";
 
 /// Returns a time, negative when it is overrun: two's complement of `bytes` bytes.
 float seconds_of(std::uint32_t number, std::size_t bytes) {
@@ -154,12 +154,12 @@ class Parser {
 }  // namespace
 
 Result<ControlPacket> parse_control_packet(std::string_view bytes) {
-  if (!bytes.starts_with(kLetters))
+  if (!bytes.starts_with(kControlLetters))
     return Error{"GameController packet: expected it to begin with RGme, got " + std::to_string(bytes.size()) +
                  " bytes that do not"};
-  if (bytes.size() == kLetters.size()) return Error{"GameController packet: it ends before its version"};
+  if (bytes.size() == kControlLetters.size()) return Error{"GameController packet: it ends before its version"};
   // the version has one, two or four bytes; the first byte selects the format
-  const auto version = static_cast<std::uint8_t>(bytes[kLetters.size()]);
+  const auto version = static_cast<std::uint8_t>(bytes[kControlLetters.size()]);
   const ControlLayout* const layout = control_layout(version);
   if (layout == nullptr)
     return Error{"GameController packet: expected format " + std::to_string(kOldestVersion) + " .. " +
@@ -167,7 +167,7 @@ Result<ControlPacket> parse_control_packet(std::string_view bytes) {
   if (bytes.size() != layout->size_bytes())
     return Error{"GameController packet: expected " + std::to_string(layout->size_bytes()) + " bytes of format " +
                  std::to_string(layout->version) + ", got " + std::to_string(bytes.size())};
-  Result<ControlPacket> packet = Parser(bytes.substr(kLetters.size()), *layout).parse();
+  Result<ControlPacket> packet = Parser(bytes.substr(kControlLetters.size()), *layout).parse();
   if (packet && packet->game.packet_version() != layout->version)
     return Error{"GameController packet: expected format " + std::to_string(layout->version) + ", got " +
                  std::to_string(packet->game.packet_version())};
@@ -177,12 +177,13 @@ Result<ControlPacket> parse_control_packet(std::string_view bytes) {
 std::optional<pb::GameState> unreadable_game(std::string_view bytes, std::uint32_t own_team, std::uint32_t own_player) {
   // the shortest format is longer than this; below it there is no room for two teams
   constexpr std::size_t kShortest = 32;
-  if (!bytes.starts_with(kLetters) || bytes.size() < kShortest) return std::nullopt;
-  const auto version = static_cast<std::uint8_t>(bytes[kLetters.size()]);
+  if (!bytes.starts_with(kControlLetters) || bytes.size() < kShortest) return std::nullopt;
+  const auto version = static_cast<std::uint8_t>(bytes[kControlLetters.size()]);
   const ControlLayout* const layout = control_layout(version);
   const bool newer = version > kNewestVersion;
   if (!newer && (layout == nullptr || bytes.size() == layout->size_bytes())) return std::nullopt;
-  if (bytes.find(static_cast<char>(own_team), kLetters.size() + 1) == std::string_view::npos) return std::nullopt;
+  if (bytes.find(static_cast<char>(own_team), kControlLetters.size() + 1) == std::string_view::npos)
+    return std::nullopt;
 
   pb::GameState game;
   game.set_source(pb::GameState::SOURCE_GAME_CONTROLLER);

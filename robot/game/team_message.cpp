@@ -11,7 +11,7 @@ namespace {
 // "FSgt", version, team, player, flags, sender (4). The other fields have two bytes each:
 // pose x, y [mm], heading [1/10000 rad], deviations x, y [mm], heading [1/10000 rad],
 // ball x, y [mm], velocity x, y [mm/s], deviation [mm], age [ms]
-constexpr std::string_view kLetters = "FSgt";
+constexpr std::string_view kTeamLetters = "FSgt";
 constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kBytes = 38;
 static_assert(kBytes <= kMaxTeamMessageBytes);
@@ -89,7 +89,7 @@ pb::Ball read_ball(ByteReader& in, std::uint64_t now_ns) {
 
 std::string to_bytes(const TeamMessage& message, std::uint64_t now_ns) {
   const bool has_pose = message.pose && finite(*message.pose), has_ball = message.ball && finite(*message.ball);
-  std::string out(kLetters);
+  std::string out(kTeamLetters);
   put(out, kVersion, 1);
   put(out, message.team, 1);
   put(out, message.player, 1);
@@ -103,10 +103,10 @@ std::string to_bytes(const TeamMessage& message, std::uint64_t now_ns) {
 }
 
 Result<TeamMessage> parse_team_message(std::string_view bytes, std::uint64_t now_ns) {
-  if (bytes.size() != kBytes || !bytes.starts_with(kLetters))
+  if (bytes.size() != kBytes || !bytes.starts_with(kTeamLetters))
     return Error{"team message: expected " + std::to_string(kBytes) + " bytes that begin with FSgt, got " +
                  std::to_string(bytes.size()) + " bytes"};
-  ByteReader in(bytes.substr(kLetters.size()));
+  ByteReader in(bytes.substr(kTeamLetters.size()));
   if (const auto version = in.number<std::uint8_t>(); version != kVersion)
     return Error{"team message: expected version " + std::to_string(kVersion) + ", got " + std::to_string(version)};
   TeamMessage message{.team = in.number<std::uint8_t>(), .player = in.number<std::uint8_t>()};

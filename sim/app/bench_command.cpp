@@ -11,7 +11,7 @@
 namespace sim::app {
 namespace {
 
-constexpr std::uint64_t kFirstSeed = 1;
+constexpr std::uint64_t kFirstBenchSeed = 1;
 
 /// The cost of one game.
 struct Cost {
@@ -68,7 +68,7 @@ class BenchCommand final : public Command {
           games_, threads_,
           [&](int game) {
             costs[static_cast<std::size_t>(game)] =
-                cost_of(*lineup, kFirstSeed + static_cast<std::uint64_t>(game), problem);
+                cost_of(*lineup, kFirstBenchSeed + static_cast<std::uint64_t>(game), problem);
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
     }

@@ -20,9 +20,9 @@ namespace {
 
 using foresight::Reliability;
 
-constexpr int kAsked = 1;    // home 2, usually the captain
-constexpr int kPerGame = 8;  // situations
-constexpr std::uint64_t kFirstSeed = 2'000'001;
+constexpr int kAsked = 1;              // home 2, usually the captain
+constexpr int kSituationsPerGame = 8;  // situations
+constexpr std::uint64_t kFirstCalibrationSeed = 2'000'001;
 
 /// A forecast of an event, and whether the event came.
 struct Case {
@@ -78,7 +78,7 @@ class CalibrationCommand final : public Command {
     choice_.add_to(options());
     options()
         .add_option("--situations", situations_, "number of situations")
-        ->check(CLI::Range(kPerGame, 1'000'000))
+        ->check(CLI::Range(kSituationsPerGame, 1'000'000))
         ->capture_default_str();
     options()
         .add_option("--rollouts", rollouts_, "number of futures per forecast")
@@ -97,7 +97,7 @@ class CalibrationCommand final : public Command {
     if (!prepared) return fail(prepared.error());
     const auto playbook = choice_.playbook({choice.strategies[0]});
     if (!playbook) return fail(playbook.error());
-    const int games = (situations_ + kPerGame - 1) / kPerGame;
+    const int games = (situations_ + kSituationsPerGame - 1) / kSituationsPerGame;
     std::vector<Cases> by_game(static_cast<std::size_t>(games));
     {
       ProgressBar progress("foretelling", static_cast<std::uint64_t>(games));
@@ -105,7 +105,7 @@ class CalibrationCommand final : public Command {
           games, contest::threads_for(games),
           [&](int game) {
             by_game[static_cast<std::size_t>(game)] =
-                play(prepared->params, *playbook, kFirstSeed + static_cast<std::uint64_t>(game));
+                play(prepared->params, *playbook, kFirstCalibrationSeed + static_cast<std::uint64_t>(game));
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
     }
@@ -120,7 +120,7 @@ class CalibrationCommand final : public Command {
   Cases play(const Params& params, const io::Playbook& playbook, std::uint64_t seed) const {
     Cases cases;
     const Tick horizon = ticks(static_cast<float>(seconds_));
-    contest::for_each_moment(params, seed, kPerGame, kAsked, [&](const State& state) {
+    contest::for_each_moment(params, seed, kSituationsPerGame, kAsked, [&](const State& state) {
       const foresight::Believed believed =
           foresight::believe(playbook.params.front(), foresight::knowledge_of(params, state, kAsked));
       if (!believed.refusal.empty()) {

@@ -25,10 +25,10 @@
 namespace sim::app {
 namespace {
 
-constexpr int kCaptain = 1;         // home 2
-constexpr int kPerGame = 10;        // moments
-constexpr Tick kAfter = ticks(30);  // goals still count this long after the return to the first strategy
-constexpr std::uint64_t kFirstSeed = 3'000'001;
+constexpr int kCaptain = 1;          // home 2
+constexpr int kMomentsPerGame = 10;  // moments
+constexpr Tick kAfter = ticks(30);   // goals still count this long after the return to the first strategy
+constexpr std::uint64_t kFirstChoosingSeed = 3'000'001;
 
 /// The knowledge of each captain.
 constexpr struct {
@@ -83,7 +83,7 @@ class ChoosingCommand final : public Command {
         ->required();
     options()
         .add_option("--moments", moments_, "number of moments at which strategies are compared")
-        ->check(CLI::Range(kPerGame, 1'000'000))
+        ->check(CLI::Range(kMomentsPerGame, 1'000'000))
         ->capture_default_str();
     options()
         .add_option("--futures", futures_, "number per strategy and moment, to find the truly best strategy")
@@ -120,16 +120,16 @@ class ChoosingCommand final : public Command {
     const auto playbook = choice_.playbook(strategies_);
     if (!playbook) return fail(playbook.error());
     futures_ += futures_ % 2;  // they are halved
-    const int games = (moments_ + kPerGame - 1) / kPerGame;
+    const int games = (moments_ + kMomentsPerGame - 1) / kMomentsPerGame;
     std::vector<std::vector<Trial>> by_game(static_cast<std::size_t>(games));
     {
       ProgressBar progress("choosing", static_cast<std::uint64_t>(games));
       contest::for_each_game(
           games, contest::threads_for(games),
           [&](int game_number) {
-            const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(game_number);
+            const std::uint64_t seed = kFirstChoosingSeed + static_cast<std::uint64_t>(game_number);
             std::vector<Trial>& trials = by_game[static_cast<std::size_t>(game_number)];
-            contest::for_each_moment(playbook->params.front(), seed, kPerGame, kCaptain,
+            contest::for_each_moment(playbook->params.front(), seed, kMomentsPerGame, kCaptain,
                                      [&](const State& state) { trials.push_back(look_at(*playbook, state, seed)); });
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });

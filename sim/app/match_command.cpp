@@ -146,7 +146,7 @@ class MatchCommand final : public Command {
   }
 
   /// Writes the file of --save-at.
-  robot::Result<void> save(const io::SavedMoment& moment, const Result& result) const {
+  robot::Result<void> save(const io::SavedMoment& moment, const sim::Result& result) const {
     if (save_at_.empty()) return {};
     if (!moment.reached())
       return robot::Error{"--save-at: expected a moment before the end of the game, which is " +

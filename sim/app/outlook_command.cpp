@@ -14,9 +14,9 @@ namespace {
 
 using foresight::Outlook;
 
-constexpr Tick kApart = ticks(5);                // time between two counted moments
-constexpr Tick kReach = ticks(60);               // goals count this long after a moment
-constexpr std::uint64_t kFirstSeed = 1'000'001;  // seeds that comparisons do not begin with
+constexpr Tick kApart = ticks(5);                       // time between two counted moments
+constexpr Tick kReach = ticks(60);                      // goals count this long after a moment
+constexpr std::uint64_t kFirstOutlookSeed = 1'000'001;  // seeds that comparisons do not begin with
 
 /// The moments of games by the ball's place, and the goals after them.
 struct Moments {
@@ -102,7 +102,7 @@ class OutlookCommand final : public Command {
           games_, contest::threads_for(games_),
           [&](int game) {
             games[static_cast<std::size_t>(game)] =
-                moments_of(prepared->params, kFirstSeed + static_cast<std::uint64_t>(game));
+                moments_of(prepared->params, kFirstOutlookSeed + static_cast<std::uint64_t>(game));
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
     }

@@ -19,7 +19,7 @@ using Kind = referee::Event::Kind;
 constexpr int kMostGames = 10'000;
 
 /// A replay that was played.
-struct Played {
+struct ReplayedGame {
   report::GameReport report;
   replay::Replay replay;
 };
@@ -126,11 +126,11 @@ class ReplayCommand final : public Command {
     return {};
   }
 
-  robot::Result<Played> play(const contest::Lineup& lineup, const RecordedGame& game, std::uint64_t seed) const {
+  robot::Result<ReplayedGame> play(const contest::Lineup& lineup, const RecordedGame& game, std::uint64_t seed) const {
     const contest::Cast cast(lineup, seed);
     const Params& params = cast.params();
     const Tick from = ticks(from_);
-    Played played{.report = {.seed = seed}, .replay = replay::Replay(game.recording, from, recorded())};
+    ReplayedGame played{.report = {.seed = seed}, .replay = replay::Replay(game.recording, from, recorded())};
     robot::bridge::SimulatedGame simulated(params, {.rules = choice_.rules, .teams = game.teams},
                                            played.replay.begin(params, {.seed = seed}));
     std::optional<GameFile> file;
@@ -160,7 +160,7 @@ class ReplayCommand final : public Command {
   }
 
   /// Notes the referee's decisions but those about recorded robots. Returns whether there is a goal.
-  static bool note(const State& state, const referee::Events& events, Played& played) {
+  static bool note(const State& state, const referee::Events& events, ReplayedGame& played) {
     bool goal = false;
     for (int i = 0; i < events.count; ++i) {
       const referee::Event& event = events.list[static_cast<std::size_t>(i)];
@@ -180,7 +180,7 @@ class ReplayCommand final : public Command {
   }
 
   /// Returns the robots of the playing side that have no data at the start, so that they do not play.
-  report::Json not_playing(const Played& played, const RecordedGame& game) const {
+  report::Json not_playing(const ReplayedGame& played, const RecordedGame& game) const {
     report::Json list = report::Json::array();
     for (int robot = 0; robot < kMaxRobots; ++robot) {
       const replay::Track& track = game.recording.robots[static_cast<std::size_t>(robot)];
@@ -191,7 +191,7 @@ class ReplayCommand final : public Command {
   }
 
   /// Returns the robots of the recorded side whose data were missing for some time.
-  report::Json missing_of(const Played& played, const RecordedGame& game) const {
+  report::Json missing_of(const ReplayedGame& played, const RecordedGame& game) const {
     report::Json list = report::Json::array();
     for (int robot = 0; robot < kMaxRobots; ++robot) {
       const replay::Replay::Missing& missing = played.replay.missing(robot);
@@ -203,7 +203,7 @@ class ReplayCommand final : public Command {
     return list;
   }
 
-  report::Json json_of(const Played& played, const RecordedGame& game, const Params& params) const {
+  report::Json json_of(const ReplayedGame& played, const RecordedGame& game, const Params& params) const {
     report::Json json = report::to_json(played.report, params.rules.players);
     json["recorded"] = side_;
     json["from"] = from_;
@@ -212,13 +212,13 @@ class ReplayCommand final : public Command {
     return json;
   }
 
-  report::Json line_of(const Played& played, const RecordedGame& game, const Params& params) const {
+  report::Json line_of(const ReplayedGame& played, const RecordedGame& game, const Params& params) const {
     report::Json json = json_of(played, game, params);
     json.erase("events");
     return json;
   }
 
-  void print(const Played& played, const RecordedGame& game, const Params& params) const {
+  void print(const ReplayedGame& played, const RecordedGame& game, const Params& params) const {
     if (json_) {
       std::printf("%s\n", json_of(played, game, params).dump(2).c_str());
       return;

@@ -12,7 +12,7 @@ namespace sim::app {
 namespace {
 
 /// The result of a game.
-struct Played {
+struct VettedGame {
   std::uint64_t hash = 0;
   contest::DecisionCost cost;
   std::string problem;
@@ -36,8 +36,8 @@ class VetCommand final : public Command {
   int run() override {
     const auto lineup = contest::Lineup::prepare({.game = {.strategies = {name_, "baseline"}}, .rest = {}});
     if (!lineup) return fail(lineup.error());
-    const Played first = play(*lineup), again = play(*lineup);
-    for (const Played* played : {&first, &again})
+    const VettedGame first = play(*lineup), again = play(*lineup);
+    for (const VettedGame* played : {&first, &again})
       if (!played->problem.empty()) return fail(played->problem);
     const auto taken_back = take_back(*lineup);
     if (!taken_back) return fail(taken_back.error());
@@ -65,7 +65,7 @@ class VetCommand final : public Command {
     return begin(cast.params(), {.seed = seed_}, events);
   }
 
-  Played play(const contest::Lineup& lineup) const {
+  VettedGame play(const contest::Lineup& lineup) const {
     const contest::Cast cast(lineup, seed_);
     State state = begun(cast);
     play_on(cast, state, length());

@@ -17,8 +17,6 @@ namespace {
 
 const io::Json kNoParameters = io::Json::object();
 
-std::string in_quotes(std::string_view text) { return io::shown(std::string(text)); }
-
 /// Reads the next word, and the unit behind it, as a value.
 Result<float> take_value(Words& words, const io::Expected& expected) {
   std::string text(words.take());
@@ -39,7 +37,7 @@ Error unknown_fact(const Words& words) {
   if (similar.empty()) similar = io::did_you_mean(first, known);
   std::string all;
   for (const std::string_view name : known) all.append(all.empty() ? "" : ", ").append(name);
-  return {"expected a happening or a quantity, got " + in_quotes(words.rest()) +
+  return {"expected a happening or a quantity, got " + io::quoted(words.rest()) +
           (similar.empty() ? "; there are: " + all : similar)};
 }
 
@@ -102,7 +100,7 @@ Result<Fact> take_fact(Words& words) {
     if (!threshold) return Error{"the value for " + std::string(compared.name) + " " + threshold.error()};
     return Fact{.quantity = *number, .comparison = comparison, .threshold = *threshold};
   }
-  return Error{std::string(compared.name) + " is compared by < <= > >=, got " + in_quotes(words.rest())};
+  return Error{std::string(compared.name) + " is compared by < <= > >=, got " + io::quoted(words.rest())};
 }
 
 Result<Condition> take_condition(Words& words) {
@@ -115,7 +113,7 @@ Result<Condition> take_condition(Words& words) {
       clauses.push_back(std::move(*clause));
     } while (words.take("and"));
   } while (words.take("or"));
-  if (!words.at_end()) return Error{"expected 'and', 'or', 'then' or 'within', got " + in_quotes(words.rest())};
+  if (!words.at_end()) return Error{"expected 'and', 'or', 'then' or 'within', got " + io::quoted(words.rest())};
   return condition;
 }
 

@@ -19,14 +19,14 @@ namespace {
 using robot::Error;
 using robot::Result;
 
-constexpr auto kPerBlock = static_cast<std::size_t>(RunFolder::kPairsPerBlock);
+constexpr auto kPairs = static_cast<std::size_t>(RunFolder::kPairsPerBlock);
 constexpr int kMostKilled = 100, kMostCrashes = 2;  // during one block
 
 /// A worker's answer. The same program reads it, so its layout is free.
 struct Message {
   bool good = false;
   DecisionCost cost[2];
-  compare::Pair pairs[kPerBlock];
+  compare::Pair pairs[kPairs];
   char problem[2000] = {};
 };
 static_assert(std::is_trivially_copyable_v<Message>);
@@ -56,7 +56,7 @@ bool receive_all(int line, void* bytes, std::size_t size) {
 
 Message play(const Comparison& comparison, std::int64_t block) {
   Message message;
-  for (std::size_t i = 0; i < kPerBlock; ++i) {
+  for (std::size_t i = 0; i < kPairs; ++i) {
     const auto played = comparison.play(block * RunFolder::kPairsPerBlock + static_cast<std::int64_t>(i));
     if (!played) {
       std::strncpy(message.problem, played.error().c_str(), sizeof message.problem - 1);
@@ -143,7 +143,7 @@ std::optional<Result<PlayedBlock>> Crew::hear(Worker& worker) {
     return {};
   }
   if (!message.good) return Error{message.problem};
-  PlayedBlock played{.number = worker.block, .pairs = {message.pairs, message.pairs + kPerBlock}};
+  PlayedBlock played{.number = worker.block, .pairs = {message.pairs, message.pairs + kPairs}};
   for (const int behaviour : {0, 1}) played.cost[behaviour] = message.cost[behaviour];
   worker.block = -1;
   return played;

@@ -63,13 +63,13 @@ float elsewhere(const field::Field& field, Vec2 position, float seconds) {
 
 float heading_to(Vec2 from, Vec2 to) { return from == to ? 0.f : angle_of(to - from); }
 
-struct Place {
+struct Guess {
   Vec2 position;
   float deviation;  // [m] along each axis
 };
 
 /// The assumed place of a player without other knowledge. Frame: team_field of its side.
-Place usual_place(const field::Field& field, int player, bool chases, Vec2 ball) {
+Guess usual_place(const field::Field& field, int player, bool chases, Vec2 ball) {
   const Vec2 goal{-field.length / 2, 0};
   if (player == 1) return {goal + Vec2{kKeeperOut + kKeeperDrawn.x * ball.x, kKeeperDrawn.y * ball.y}, kKeeperRoams};
   const Vec2 to_ball = ball - goal;
@@ -119,7 +119,7 @@ bool chases(const Params& params, const Knowledge& knowledge, Vec2 ball, int rob
 }
 
 /// Combines the last message or sight of a robot with its usual place, each weighted by its certainty.
-Place weighed(const Place& usual, const Sighting& sighting) {
+Guess weighed(const Guess& usual, const Sighting& sighting) {
   const float known_variance = sighting.deviation * sighting.deviation + kRobotStrays * sighting.seconds;
   const float usual_variance = usual.deviation * usual.deviation;
   const float share = usual_variance / (usual_variance + known_variance);
@@ -172,7 +172,7 @@ RobotGuess guess_robot(const Params& params, const Knowledge& knowledge, Vec2 ba
     return {pose.pose, pose.deviation, pose.deviation_heading};
   }
   const float sign = home ? 1 : -1;
-  Place place = usual_place(params.rules.field, player, chases(params, knowledge, ball, robot), sign * ball);
+  Guess place = usual_place(params.rules.field, player, chases(params, knowledge, ball, robot), sign * ball);
   place.position = sign * place.position;
   const auto sighting = sighting_of(knowledge, robot);
   if (sighting) place = weighed(place, *sighting);

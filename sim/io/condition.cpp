@@ -17,8 +17,6 @@ using robot::trimmed;
 
 namespace {
 
-std::string quoted(std::string_view text) { return shown(std::string(text)); }
-
 /// A comparison operator as written. An operator comes before any that is its beginning.
 struct Operator {
   std::string_view text;

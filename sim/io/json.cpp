@@ -61,6 +61,8 @@ std::string shown(const Json& json) {
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + "…";
 }
 
+std::string quoted(std::string_view text) { return shown(Json(std::string(text))); }
+
 std::string short_text(float value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};

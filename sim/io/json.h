@@ -20,6 +20,9 @@ std::string printed(const Json& json);
 /// Returns a value for the sentence of an Error, shortened when long.
 std::string shown(const Json& json);
 
+/// Returns text from a file in double quotes, for an error sentence; shortened as by shown().
+std::string quoted(std::string_view text);
+
 /// Returns the number with the fewest digits that distinguish `value` from every other float.
 double short_number(float value);
 std::string short_text(float value);

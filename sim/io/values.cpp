@@ -45,8 +45,6 @@ double factor_to(std::string_view given, std::string_view unit) {
   return 0;
 }
 
-std::string quoted(std::string_view text) { return shown(std::string(text)); }
-
 /// Returns the value of a kick's name, which it adds to the list if it is new.
 Result<float> named_kick(std::string_view name, const Expected& expected) {
   agent::NamedKicks& kicks = *expected.kicks;

@@ -36,8 +36,6 @@ std::vector<std::string_view> all_skills() {
   return names;
 }
 
-std::string quoted(std::string_view text) { return shown(std::string(text)); }
-
 /// Adds spaces up to that column, and at least two.
 std::string padded(std::string text, std::size_t column) {
   text.resize(std::max(text.size() + 2, column), ' ');

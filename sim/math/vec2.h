@@ -25,6 +25,7 @@ constexpr Vec2& operator-=(Vec2& a, Vec2 b) { return a = a - b; }
 constexpr float dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 /// Returns a value > 0 when `b` is counter-clockwise of `a`.
 constexpr float cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+constexpr float squared(float x) { return x * x; }
 constexpr float squared_length(Vec2 a) { return dot(a, a); }
 inline float length(Vec2 a) { return std::sqrt(dot(a, a)); }
 inline float distance(Vec2 a, Vec2 b) { return length(b - a); }

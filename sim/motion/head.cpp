@@ -80,7 +80,7 @@ void turn_yaw(float yaw, Body& body) {
   }
 }
 
-float approach(float from, float to, float most) { return from + std::clamp(to - from, -most, most); }
+float turned_towards(float from, float to, float most) { return from + std::clamp(to - from, -most, most); }
 
 }  // namespace
 
@@ -114,9 +114,9 @@ void turn_head(const MotionParams& params, const Command& command, const Pose2& 
     Nod nod{head.pitch_up, head.pitch_down};
     const bool clear = is_clear(to.pitch) && is_clear(body.head_pitch);
     if (!clear) nod = nod_at(head, std::max(std::abs(to.yaw), std::abs(body.head_yaw)));
-    to.pitch = approach(body.head_pitch, std::clamp(to.pitch, nod.up, nod.down), head.pitch_speed * dt);
+    to.pitch = turned_towards(body.head_pitch, std::clamp(to.pitch, nod.up, nod.down), head.pitch_speed * dt);
     const float limit = clear ? head.yaw_limit : yaw_limit_at(head, to.pitch);
-    to.yaw = approach(body.head_yaw, std::clamp(to.yaw, -limit, limit), head.yaw_speed * dt);
+    to.yaw = turned_towards(body.head_yaw, std::clamp(to.yaw, -limit, limit), head.yaw_speed * dt);
   }
 
   body.head_pitch = to.pitch;

@@ -5,8 +5,6 @@ namespace {
 
 constexpr float kLeastVariance = 1e-6f;  // [m²] of a percept: no camera is more accurate than 1 mm
 
-float squared(float x) { return x * x; }
-
 /// Restarts the filter at a place with this variance. The velocity is unknown.
 void start(const BallFilter& filter, Vec2 position, float variance, agent::Ball& ball) {
   ball.position = position;

@@ -12,8 +12,6 @@ constexpr float kSuperbHeading = 10 * kPi / 180;  // [rad]
 // A longer way makes a metre walked with a wrong scale count as more noise.
 constexpr float kCorrelated = 1;  // [m], [rad]
 
-float squared(float x) { return x * x; }
-
 float opposite(float heading) { return heading > 0 ? heading - kPi : heading + kPi; }
 
 Pose2 turned_round(Pose2 pose) { return {-pose.position, opposite(pose.heading)}; }

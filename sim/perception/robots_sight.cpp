@@ -3,7 +3,7 @@
 namespace sim::perception {
 namespace {
 
-constexpr float kBeyondRange = 1.5f;  // [ranges] a percept that seems to be farther away is dropped
+constexpr float kBeyondRobotRange = 1.5f;  // [ranges] a percept that seems to be farther away is dropped
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void look_for_opponent(const PerceptionParams& params, const World& world, int r
     if (effects.missed_ball && uniform(words[0]) >= probability(model.robots, range)) return;
     if (effects.ball_noise) {
       place = seen_through(image_noise(model, body), place, range, sighting.height,
-                           kBeyondRange * model.robots.far_range, normals(words[1], words[2]));
+                           kBeyondRobotRange * model.robots.far_range, normals(words[1], words[2]));
       if (place == Vec2{}) return;
     }
   }

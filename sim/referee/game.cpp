@@ -7,7 +7,6 @@ float left_of_half(const field::Rules& rules, const Book& book) {
 }
 
 float countdown_of(const field::Rules& rules, agent::Game::Phase phase, agent::Game::SetPlay set_play) {
-  using SetPlay = agent::Game::SetPlay;
   if (phase == agent::Game::Phase::ready) return rules.ready_duration;
   if (phase != agent::Game::Phase::playing || set_play == SetPlay::none) return 0;
   return set_play == SetPlay::kick_off ? rules.kick_off_duration : rules.set_play_duration;

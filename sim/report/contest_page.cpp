@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 #include "sim/report/contest_report.h"
 #include "sim/report/plot.h"
 
 namespace sim::report {
 namespace {
+
+using robot::formatted;
 
 constexpr const char* kStyle = R"(
 :root { color-scheme: light dark; --page: #f6f7f9; --card: #fff; --ink: #14181f; --soft: #5b6472; --line: #dfe3e9;
@@ -58,19 +60,12 @@ tr + tr > * { border-top: 1px solid var(--line); } th.a { color: var(--a); } th.
 @media print { body { padding: 0; background: #fff; } .card { break-inside: avoid; } }
 )";
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[400];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
 double number(const Json& json) { return json.is_number() ? json.get<double>() : NAN; }
 
 /// Returns a figure marked with its key in the JSON, so that tests can compare the two.
 std::string figure(const char* key, const char* format, const Json& value) {
-  const std::string shown = value.is_number() ? text(format, value.get<double>()) : "–";
-  return text("<span data-of=\"%s\">%s</span>", key, shown.c_str());
+  const std::string shown = value.is_number() ? formatted(format, value.get<double>()) : "–";
+  return formatted("<span data-of=\"%s\">%s</span>", key, shown.c_str());
 }
 
 std::string interval(const char* key, const Json& gain) {
@@ -81,7 +76,7 @@ std::string interval(const char* key, const Json& gain) {
 
 std::string card(const std::string& title, const std::string& about, const std::string& content,
                  const char* style = "") {
-  return text("<section class=\"card %s\"><h2>", style) + title + "</h2><p>" + about + "</p>\n" + content +
+  return formatted("<section class=\"card %s\"><h2>", style) + title + "</h2><p>" + about + "</p>\n" + content +
          "</section>\n";
 }
 
@@ -109,8 +104,8 @@ std::string verdict_plot(const Json& report) {
   const double room = 0.12 * (top - bottom);
   Plot plot(0, path.back().first, bottom - room, top + room);
   plot.level("zero", 0, "");
-  plot.level("up", high, text("better by %.3g: %+.2f", number(report.at("h1")), high));
-  plot.level("down", low, text("better by %.3g at most: %+.2f", number(report.at("h0")), low), Plot::Label::below);
+  plot.level("up", high, formatted("better by %.3g: %+.2f", number(report.at("h1")), high));
+  plot.level("down", low, formatted("better by %.3g at most: %+.2f", number(report.at("h0")), low), Plot::Label::below);
   plot.line("path", path);
   return plot.svg("the log-likelihood ratio over the pairs played, and the bounds of the test", "pairs of games");
 }
@@ -134,7 +129,7 @@ std::string mean_plot(const Json& report) {
   Plot plot(0, mean.back().first, bottom - room, largest + room);
   plot.band("interval", pairs, low, high);
   plot.level("zero", 0, "");
-  plot.level("goal", number(report.at("h1")), text("asked for: %+.3g", number(report.at("h1"))));
+  plot.level("goal", number(report.at("h1")), formatted("asked for: %+.3g", number(report.at("h1"))));
   plot.line("mean", mean);
   return plot.svg("the mean gain over the pairs played, with its 95 % interval", "pairs of games");
 }
@@ -152,7 +147,7 @@ std::string histogram_plot(const Json& report) {
   for (std::size_t i = middle - reach; i <= middle + reach; ++i) {
     const double at = from + static_cast<double>(i) * column;
     const char* style = at > 0 ? "for-b" : at < 0 ? "for-a" : "for-none";
-    plot.bar(style, at - column / 2, at + column / 2, counts[i], text("%+g: %.0f pairs", at, counts[i]));
+    plot.bar(style, at - column / 2, at + column / 2, counts[i], formatted("%+g: %.0f pairs", at, counts[i]));
   }
   return plot.svg("how many pairs ended with which gain of B over A", "gain of B in both games of a pair");
 }
@@ -160,7 +155,7 @@ std::string histogram_plot(const Json& report) {
 std::string split_bar(const std::vector<double>& shares, const std::vector<const char*>& styles) {
   std::string all = "<div class=\"split\" aria-hidden=\"true\">";
   for (std::size_t i = 0; i < shares.size(); ++i)
-    if (shares[i] > 0) all += text("<span class=\"%s\" style=\"flex:%g\"></span>", styles[i], shares[i]);
+    if (shares[i] > 0) all += formatted("<span class=\"%s\" style=\"flex:%g\"></span>", styles[i], shares[i]);
   return all + "</div>\n";
 }
 
@@ -174,8 +169,8 @@ std::string results(const Json& report) {
   all += split_bar({points[4], points[3], points[2], points[1], points[0]}, {"b", "b half", "", "a half", "a"});
   all += "<p>pairs by B's points: ";
   for (int i = 4; i >= 0; --i)
-    all += text("%d: ", i) +
-           figure(text("b_points_of_pairs.%d", i).c_str(), "%.0f", points[static_cast<std::size_t>(i)]) +
+    all += formatted("%d: ", i) +
+           figure(formatted("b_points_of_pairs.%d", i).c_str(), "%.0f", points[static_cast<std::size_t>(i)]) +
            (i > 0 ? " · " : "");
   return all + "</p>\n";
 }
@@ -185,7 +180,7 @@ std::string goals_table(const Json& report) {
   std::string all = "<div class=\"scroll\"><table><tr><th></th><th class=\"a\">A: " + escaped(run.at("a")) +
                     "</th><th class=\"b\">B: " + escaped(run.at("b")) + "</th></tr>\n";
   const auto row = [&](const char* what, const std::string& of_a, const std::string& of_b) {
-    all += text("<tr><td>%s</td><td>", what) + of_a + "</td><td>" + of_b + "</td></tr>\n";
+    all += formatted("<tr><td>%s</td><td>", what) + of_a + "</td><td>" + of_b + "</td></tr>\n";
   };
   row("goals for, per game", figure("a.goals", "%.3f", a.at("goals")), figure("b.goals", "%.3f", b.at("goals")));
   row("goals against, per game", figure("a.conceded", "%.3f", a.at("conceded")),
@@ -212,13 +207,14 @@ std::string keys(const Json& report) {
                          ? "with the kick-off"
                          : code(run.at("situation")) + (run.at("fuzz") == true ? ", varied" : ""));
   row("changed players", run.at("changed") == 0 ? "" : "1 .. " + run.at("changed").dump());
-  row("longest game", run.at("seconds") == 0 ? "" : text("%g s", number(run.at("seconds"))));
+  row("longest game", run.at("seconds") == 0 ? "" : formatted("%g s", number(run.at("seconds"))));
   row("measured by", code(run.at("metric")));
-  row("seeds", text("%.0f … %.0f", number(run.at("seed")), number(run.at("seed")) + number(report.at("pairs")) - 1));
+  row("seeds",
+      formatted("%.0f … %.0f", number(run.at("seed")), number(run.at("seed")) + number(report.at("pairs")) - 1));
   row("program", "foresight-sim " + escaped(run.at("version")) + ", games' hash " + code(run.at("build")));
   if (run.contains("files"))
     for (const auto& [file, hash] : run.at("files").items()) row("content of " + file, code(hash));
-  row("took", text("%.1f s", number(report.at("seconds"))));
+  row("took", formatted("%.1f s", number(report.at("seconds"))));
   return all + "</table>\n";
 }
 
@@ -235,7 +231,7 @@ std::string decisive(Json report) {
   std::string all = "<table class=\"replay\">\n";
   for (const Json* pair : shown_pairs(report)) {
     const double gain = number(pair->at("gain"));
-    all += text("<tr><td class=\"%s\">%+g</td><td>", gain > 0 ? "gain-b" : "gain-a", gain) + commands(*pair) +
+    all += formatted("<tr><td class=\"%s\">%+g</td><td>", gain > 0 ? "gain-b" : "gain-a", gain) + commands(*pair) +
            "</td></tr>\n";
   }
   return all + "</table>\n";

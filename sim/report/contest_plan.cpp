@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 
 namespace sim::report {
 namespace {
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[300];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
+using robot::formatted;
 
 struct Needed {
   double delta, variance, seconds_per_pair;
@@ -54,10 +49,10 @@ Json plan_json(const ContestReport& pilot) {
 
 std::string plan_text(const ContestReport& pilot) {
   const auto [delta, variance, seconds, plan] = needed_by(pilot);
-  std::string out = text("to tell a gain of %.3g per game from none (a pilot of %lld pairs, variance %.3g):\n\n", delta,
-                         static_cast<long long>(pilot.outcome.tally.pairs), variance);
+  std::string out = formatted("to tell a gain of %.3g per game from none (a pilot of %lld pairs, variance %.3g):\n\n",
+                              delta, static_cast<long long>(pilot.outcome.tally.pairs), variance);
   const auto line = [&out, seconds = seconds](const char* what, double pairs) {
-    out += text("  %-52s%9.0f games%9.1f min\n", what, 2 * std::ceil(pairs), pairs * seconds / 60);
+    out += formatted("  %-52s%9.0f games%9.1f min\n", what, 2 * std::ceil(pairs), pairs * seconds / 60);
   };
   line("sequential test, where one of its answers is true", plan.sequential);
   line("sequential test, where the truth lies between them", plan.sequential_worst);

@@ -1,27 +1,22 @@
 #include "sim/report/contest_report.h"
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <optional>
 
 namespace sim::report {
 namespace {
 
+using robot::formatted;
+
 using compare::Interval;
 using compare::kA;
 using compare::kB;
 using compare::Verdict;
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[300];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 std::int64_t games_of(const contest::Outcome& outcome) { return 2 * outcome.tally.pairs; }
 
@@ -36,7 +31,7 @@ std::string shortened(const std::string& name) {
 }
 
 std::string name_of_b(const contest::ComparisonChoice& choice) {
-  return choice.changed > 0 ? choice.b + text(" of players 1 .. %d", choice.changed) : choice.b;
+  return choice.changed > 0 ? choice.b + formatted(" of players 1 .. %d", choice.changed) : choice.b;
 }
 
 const char* noun(contest::Metric metric) {
@@ -73,7 +68,7 @@ std::string replay_of(const ContestReport& report, const contest::DecisivePair& 
   if (choice.pace == Pace::every_tick) command += " --every-tick";
   if (!choice.situation.empty()) command += " --from " + quoted(choice.situation);
   if (choice.fuzz) command += " --fuzz";
-  if (choice.seconds > 0) command += text(" --seconds %g", choice.seconds);
+  if (choice.seconds > 0) command += formatted(" --seconds %g", choice.seconds);
   return command + " --seed " + std::to_string(report.comparison.seed_of(pair.number)) + " --mcap game.mcap";
 }
 
@@ -113,22 +108,22 @@ ShownGain shown_gain(const ContestReport& report) {
 /// "+0.123 goals per game (95 %: +0.045 .. +0.201)", with the correction.
 std::string text_of(const ShownGain& gain, const ContestReport& report) {
   const auto& [mean, low, high] = gain.per_game;
-  return text("%+.3f %s per game (95 %%: %+.3f .. %+.3f%s)", mean, noun(report.comparison.choice().metric), low, high,
-              gain.corrected ? ", corrected for the early stop" : "");
+  return formatted("%+.3f %s per game (95 %%: %+.3f .. %+.3f%s)", mean, noun(report.comparison.choice().metric), low,
+                   high, gain.corrected ? ", corrected for the early stop" : "");
 }
 
 /// "0.098 per game, which is 0.1 of its standard deviation", or only the number if it was asked for.
 std::string h1_of(const ContestReport& report) {
   const compare::Hypothesis question = question_of(report);
-  std::string said = text("%.2g per game", question.h1);
-  if (question.part > 0) said += text(" (%g of its standard deviation)", question.part);
+  std::string said = formatted("%.2g per game", question.h1);
+  if (question.part > 0) said += formatted(" (%g of its standard deviation)", question.part);
   return said;
 }
 
 }  // namespace
 
 std::string games_without_pairs(double pairing_gain) {
-  return text("%.0f %% %s games", 100 * std::abs(pairing_gain - 1), pairing_gain < 1 ? "fewer" : "more");
+  return formatted("%.0f %% %s games", 100 * std::abs(pairing_gain - 1), pairing_gain < 1 ? "fewer" : "more");
 }
 
 std::string sentence_of(const ContestReport& report) {
@@ -146,8 +141,8 @@ std::string sentence_of(const ContestReport& report) {
     case Verdict::identical: return b + " and " + a + " are identical: each plays the games of the other";
     case Verdict::too_rare:
       return "too rare to tell whether " + b + " is better than " + a +
-             text(": %lld of %lld pairs had a gain; raise --pairs or choose a longer metric",
-                  static_cast<long long>(tally.uneven), static_cast<long long>(tally.pairs));
+             formatted(": %lld of %lld pairs had a gain; raise --pairs or choose a longer metric",
+                       static_cast<long long>(tally.uneven), static_cast<long long>(tally.pairs));
   }
   return "";
 }
@@ -210,53 +205,56 @@ std::string to_text(const ContestReport& report, bool explain) {
   const compare::PairStatistics& tally = outcome.tally;
   const contest::ComparisonChoice& choice = comparison.choice();
   std::string out = sentence_of(report) + "\n\n";
-  out += text("%-22s%12s%12s\n", "", "A", "B");
-  out += text("%-22s%12s%12s\n", "", shortened(choice.a).c_str(), shortened(choice.b).c_str());
-  out += text("%-22s%12.3f%12.3f\n", "goals per game", per_game(outcome, tally.goals[kA]),
-              per_game(outcome, tally.goals[kB]));
-  out += text("%-22s%12.3f%12.3f\n", "conceded", per_game(outcome, tally.conceded[kA]),
-              per_game(outcome, tally.conceded[kB]));
-  out += text("%-22s%12lld%12lld\n", "won", static_cast<long long>(tally.lost), static_cast<long long>(tally.won));
-  out += text("%-22s%12lld\n", "drawn", static_cast<long long>(tally.drawn));
+  out += formatted("%-22s%12s%12s\n", "", "A", "B");
+  out += formatted("%-22s%12s%12s\n", "", shortened(choice.a).c_str(), shortened(choice.b).c_str());
+  out += formatted("%-22s%12.3f%12.3f\n", "goals per game", per_game(outcome, tally.goals[kA]),
+                   per_game(outcome, tally.goals[kB]));
+  out += formatted("%-22s%12.3f%12.3f\n", "conceded", per_game(outcome, tally.conceded[kA]),
+                   per_game(outcome, tally.conceded[kB]));
+  out += formatted("%-22s%12lld%12lld\n", "won", static_cast<long long>(tally.lost), static_cast<long long>(tally.won));
+  out += formatted("%-22s%12lld\n", "drawn", static_cast<long long>(tally.drawn));
   if (outcome.cost[kA].timed > 0)
-    out += text("%-22s%12.2f%12.2f us\n", "a decision costs", outcome.cost[kA].mean_us(), outcome.cost[kB].mean_us());
+    out +=
+        formatted("%-22s%12.2f%12.2f us\n", "a decision costs", outcome.cost[kA].mean_us(), outcome.cost[kB].mean_us());
   out += "\n";
 
-  out += text("games            %lld in %lld pairs", static_cast<long long>(games_of(outcome)),
-              static_cast<long long>(tally.pairs));
-  out += outcome.different == tally.pairs ? ", no two alike"
-                                          : text(", %lld of them different", static_cast<long long>(outcome.different));
+  out += formatted("games            %lld in %lld pairs", static_cast<long long>(games_of(outcome)),
+                   static_cast<long long>(tally.pairs));
+  out += outcome.different == tally.pairs
+             ? ", no two alike"
+             : formatted(", %lld of them different", static_cast<long long>(outcome.different));
   // blocks from the disk took no time
   if (outcome.cost[kA].timed > 0)
-    out += text(", %.0f s, %.0f a minute", outcome.seconds,
-                static_cast<double>(games_of(outcome)) * 60 / std::max(outcome.seconds, 1e-3));
+    out += formatted(", %.0f s, %.0f a minute", outcome.seconds,
+                     static_cast<double>(games_of(outcome)) * 60 / std::max(outcome.seconds, 1e-3));
   out += "\n";
   const compare::Hypothesis question = question_of(report);
   const compare::Bounds bounds = compare::bounds_of(question);
   if (!options.pairs)
-    out += text("test             LLR %+.2f of %+.2f for %.3g, %+.2f for %.3g\n",
-                compare::llr(tally, question, comparison.unit()), bounds.h0, question.h0, bounds.h1, question.h1);
+    out += formatted("test             LLR %+.2f of %+.2f for %.3g, %+.2f for %.3g\n",
+                     compare::llr(tally, question, comparison.unit()), bounds.h0, question.h0, bounds.h1, question.h1);
   if (question.h1 > question.h0 && question.part > 0)
-    out += text(
+    out += formatted(
         "asked            is the gain at least %.3g per game? %g of its standard deviation over these pairs, %.3g\n",
         question.h1, question.part, std::sqrt(compare::pair_variance(tally, comparison.unit())));
   if (const double gain = compare::pairing_gain(tally); gain > 0)
-    out += text("pairing gain     %.2f: without pairs, the same interval takes %s\n", gain,
-                games_without_pairs(gain).c_str());
+    out += formatted("pairing gain     %.2f: without pairs, the same interval takes %s\n", gain,
+                     games_without_pairs(gain).c_str());
   const Interval home = compare::home_advantage(tally, comparison.unit());
-  out += text("%-16s %+.3f (95 %%: %+.3f .. %+.3f)%s\n", choice.situation.empty() ? "home advantage" : "the moment",
-              home.mean, home.low, home.high, choice.situation.empty() ? "" : " for the home side's place in it");
+  out +=
+      formatted("%-16s %+.3f (95 %%: %+.3f .. %+.3f)%s\n", choice.situation.empty() ? "home advantage" : "the moment",
+                home.mean, home.low, home.high, choice.situation.empty() ? "" : " for the home side's place in it");
   out += "holds for        rules " + choice.rules + ", models " + choice.models + " (not fitted to robots of yours)\n";
   if (is_corrected(report)) {
     const Interval plain = compare::gain_per_game(tally, comparison.unit());
-    out += text("plain mean       %+.3f (95 %%: %+.3f .. %+.3f), which an early stop makes too extreme\n", plain.mean,
-                plain.low, plain.high);
+    out += formatted("plain mean       %+.3f (95 %%: %+.3f .. %+.3f), which an early stop makes too extreme\n",
+                     plain.mean, plain.low, plain.high);
   }
   if (!explain) return out;
 
   out += "\nmost decisive pairs, with the game that B plays at home\n";
   for (const contest::DecisivePair& pair : outcome.decisive)
-    out += text("  %+g  ", pair.gain / comparison.unit()) + replay_of(report, pair) + "\n";
+    out += formatted("  %+g  ", pair.gain / comparison.unit()) + replay_of(report, pair) + "\n";
   return out;
 }
 

@@ -1,12 +1,14 @@
 #include "sim/report/game_report.h"
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 #include "sim/contest/repetition.h"
 
 #include <array>
-#include <cstdio>
 
 namespace sim::report {
 namespace {
+
+using robot::formatted;
 
 using Kind = referee::Event::Kind;
 
@@ -52,14 +54,7 @@ constexpr Row kRows[] = {
 
 bool is_share(const Row& row) { return std::string_view(row.format).ends_with("%%"); }
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
-std::string shown(const Row& row, double value) { return text(row.format, is_share(row) ? 100 * value : value); }
+std::string shown(const Row& row, double value) { return formatted(row.format, is_share(row) ? 100 * value : value); }
 
 /// Returns true for events of the text report. Changes of the phase are only in the JSON.
 bool is_news(Kind kind) { return kind >= Kind::goal && kind != Kind::placed; }
@@ -68,11 +63,11 @@ double goals(const GameReport& report) { return report.result.score[0] + report.
 
 std::string heading(const io::Matchup& choice, const Params& params) {
   const field::Rules& rules = params.rules;
-  std::string line = text("%s: %d a side, %d x %s", choice.rules.c_str(), rules.players, rules.halves,
-                          clock_text(rules.half_duration).c_str());
+  std::string line = formatted("%s: %d a side, %d x %s", choice.rules.c_str(), rules.players, rules.halves,
+                               clock_text(rules.half_duration).c_str());
   for (int side = 0; side < 2; ++side)
-    line += text("\n  %s  %s, models %s", kSides[static_cast<std::size_t>(side)], choice.strategies[side].c_str(),
-                 params.teams[side].models.name.c_str());
+    line += formatted("\n  %s  %s, models %s", kSides[static_cast<std::size_t>(side)], choice.strategies[side].c_str(),
+                      params.teams[side].models.name.c_str());
   return line + "\n";
 }
 
@@ -95,11 +90,11 @@ Json json_of(const ShootOut& shoot_out) {
 }
 
 std::string text_of(const ShootOut& shoot_out) {
-  std::string all = text("\npenalty shoot-out %d:%d, %s wins\n", shoot_out.tally.goals[0], shoot_out.tally.goals[1],
-                         winner_of(shoot_out));
+  std::string all = formatted("\npenalty shoot-out %d:%d, %s wins\n", shoot_out.tally.goals[0],
+                              shoot_out.tally.goals[1], winner_of(shoot_out));
   for (const PenaltyShot& shot : shoot_out.shots)
-    all +=
-        text("  %-6s%-8s%5.1f s\n", kSides[static_cast<std::size_t>(shot.side)], name_of(shot.end), seconds_of(shot));
+    all += formatted("  %-6s%-8s%5.1f s\n", kSides[static_cast<std::size_t>(shot.side)], name_of(shot.end),
+                     seconds_of(shot));
   return all;
 }
 
@@ -112,8 +107,8 @@ std::string shoot_outs_text(const std::vector<GameReport>& reports) {
     if (const auto winner = referee::shoot_out::winner(report.shoot_out->tally)) ++won[static_cast<int>(*winner)];
   }
   if (count == 0) return "";
-  return text("%d penalty shoot-outs: home won %d, away won %d, nobody won %d\n", count, won[0], won[1],
-              count - won[0] - won[1]);
+  return formatted("%d penalty shoot-outs: home won %d, away won %d, nobody won %d\n", count, won[0], won[1],
+                   count - won[0] - won[1]);
 }
 
 }  // namespace
@@ -127,7 +122,7 @@ std::string who(const referee::Event& event) {
 
 std::string clock_text(float seconds) {
   const int whole = static_cast<int>(seconds);
-  return text("%02d:%02d", whole / 60, whole % 60);
+  return formatted("%02d:%02d", whole / 60, whole % 60);
 }
 
 Json to_json(const GameReport& report, int players) {
@@ -156,17 +151,18 @@ Json to_json(const GameReport& report, int players) {
 
 std::string to_text(const GameReport& report, const io::Matchup& choice, const Params& params) {
   const Result& result = report.result;
-  std::string all = heading(choice, params) + text("  seed  %llu\n\n", static_cast<unsigned long long>(report.seed));
-  all += text("%-14s%10s%10s\n", "", "home", "away");
+  std::string all =
+      heading(choice, params) + formatted("  seed  %llu\n\n", static_cast<unsigned long long>(report.seed));
+  all += formatted("%-14s%10s%10s\n", "", "home", "away");
   for (const Row& row : kRows)
-    all += text("%-14s%10s%10s\n", row.shown, shown(row, row.value(result, 0, params.rules.players)).c_str(),
-                shown(row, row.value(result, 1, params.rules.players)).c_str());
+    all += formatted("%-14s%10s%10s\n", row.shown, shown(row, row.value(result, 0, params.rules.players)).c_str(),
+                     shown(row, row.value(result, 1, params.rules.players)).c_str());
   all += "\n";
   for (const Decision& decision : report.decisions)
     if (is_news(decision.event.kind))
-      all += text(who(decision.event).empty() ? "%d  %s  %d:%d  %s\n" : "%d  %s  %d:%d  %-17s %s\n", decision.half,
-                  clock_text(decision.clock).c_str(), decision.score[0], decision.score[1],
-                  referee::name_of(decision.event.kind), who(decision.event).c_str());
+      all += formatted(who(decision.event).empty() ? "%d  %s  %d:%d  %s\n" : "%d  %s  %d:%d  %-17s %s\n", decision.half,
+                       clock_text(decision.clock).c_str(), decision.score[0], decision.score[1],
+                       referee::name_of(decision.event.kind), who(decision.event).c_str());
   if (report.shoot_out) all += text_of(*report.shoot_out);
   return all;
 }
@@ -199,18 +195,18 @@ Json to_json(const std::vector<GameReport>& reports, int players) {
 }
 
 std::string to_text(const std::vector<GameReport>& reports, const io::Matchup& choice, const Params& params) {
-  std::string all =
-      heading(choice, params) + text("  seeds %llu .. %llu\n\n", static_cast<unsigned long long>(reports.front().seed),
-                                     static_cast<unsigned long long>(reports.back().seed));
-  all += text("%-14s%20s%20s\n", "mean of a game", "home", "away");
+  std::string all = heading(choice, params) + formatted("  seeds %llu .. %llu\n\n",
+                                                        static_cast<unsigned long long>(reports.front().seed),
+                                                        static_cast<unsigned long long>(reports.back().seed));
+  all += formatted("%-14s%20s%20s\n", "mean of a game", "home", "away");
   for (const Row& row : kRows) {
-    all += text("%-14s", row.shown);
+    all += formatted("%-14s", row.shown);
     for (const int side : {0, 1}) {
       std::vector<double> values;
       for (const GameReport& report : reports) values.push_back(row.value(report.result, side, params.rules.players));
       const contest::Mean mean = contest::mean_of(values);
       const double scale = is_share(row) ? 100 : 1;
-      all += text("%12.2f ± %5.2f", scale * mean.mean, scale * mean.error) + (is_share(row) ? "%" : " ");
+      all += formatted("%12.2f ± %5.2f", scale * mean.mean, scale * mean.error) + (is_share(row) ? "%" : " ");
     }
     all += "\n";
   }
@@ -225,8 +221,8 @@ std::string to_text(const std::vector<GameReport>& reports, const io::Matchup& c
   }
   const int count = static_cast<int>(reports.size());
   const contest::Mean mean = contest::mean_of(sums);
-  all += text("\n%d games: home won %d, away won %d, drawn %d, of these %d goalless; %.2f ± %.2f goals a game\n", count,
-              won[0], won[1], count - won[0] - won[1], goalless, mean.mean, mean.error);
+  all += formatted("\n%d games: home won %d, away won %d, drawn %d, of these %d goalless; %.2f ± %.2f goals a game\n",
+                   count, won[0], won[1], count - won[0] - won[1], goalless, mean.mean, mean.error);
   return all + shoot_outs_text(reports);
 }
 

@@ -4,19 +4,16 @@
 #include <cmath>
 #include <cstdio>
 
+#include "robot/core/text.h"
+
 namespace sim::report {
 namespace {
+
+using robot::formatted;
 
 // [px] size of the plot and space for the axes
 constexpr double kWidth = 560, kHeight = 240;
 constexpr double kLeft = 52, kRight = 12, kTop = 14, kBottom = 40;
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[400];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 /// Returns about `count` round numbers from `low` to `high`.
 std::vector<double> ticks_between(double low, double high, int count) {
@@ -61,51 +58,51 @@ double Plot::y_of(double y) const {
 
 void Plot::line(const std::string& style, const std::vector<std::pair<double, double>>& points) {
   drawn_ += "<polyline class=\"" + style + "\" points=\"";
-  for (const auto& [x, y] : points) drawn_ += text("%.1f,%.1f ", x_of(x), y_of(y));
+  for (const auto& [x, y] : points) drawn_ += formatted("%.1f,%.1f ", x_of(x), y_of(y));
   drawn_ += "\"/>\n";
   if (!points.empty())
-    drawn_ += text("<circle class=\"end %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\"/>\n", style.c_str(),
-                   x_of(points.back().first), y_of(points.back().second));
+    drawn_ += formatted("<circle class=\"end %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\"/>\n", style.c_str(),
+                        x_of(points.back().first), y_of(points.back().second));
 }
 
 void Plot::band(const std::string& style, const std::vector<double>& x, const std::vector<double>& low,
                 const std::vector<double>& high) {
   drawn_ += "<polygon class=\"" + style + "\" points=\"";
-  for (std::size_t i = 0; i < x.size(); ++i) drawn_ += text("%.1f,%.1f ", x_of(x[i]), y_of(high[i]));
-  for (std::size_t i = x.size(); i-- > 0;) drawn_ += text("%.1f,%.1f ", x_of(x[i]), y_of(low[i]));
+  for (std::size_t i = 0; i < x.size(); ++i) drawn_ += formatted("%.1f,%.1f ", x_of(x[i]), y_of(high[i]));
+  for (std::size_t i = x.size(); i-- > 0;) drawn_ += formatted("%.1f,%.1f ", x_of(x[i]), y_of(low[i]));
   drawn_ += "\"/>\n";
 }
 
 void Plot::level(const std::string& style, double y, const std::string& label, Label place) {
   const double at = y_of(y);
-  drawn_ += text("<line class=\"%s\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>\n", style.c_str(), kLeft,
-                 kWidth - kRight, at, at);
+  drawn_ += formatted("<line class=\"%s\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>\n", style.c_str(), kLeft,
+                      kWidth - kRight, at, at);
   if (!label.empty())
-    drawn_ += text("<text class=\"label\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", kLeft + 6,
-                   place == Label::above ? at - 4 : at + 14, escaped(label).c_str());
+    drawn_ += formatted("<text class=\"label\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", kLeft + 6,
+                        place == Label::above ? at - 4 : at + 14, escaped(label).c_str());
 }
 
 void Plot::bar(const std::string& style, double left, double right, double height, const std::string& title) {
   const double top = y_of(height), bottom = y_of(std::max(0., bottom_));
-  drawn_ += text(
+  drawn_ += formatted(
       "<rect class=\"%s\" x=\"%.1f\" width=\"%.1f\" y=\"%.1f\" height=\"%.1f\" rx=\"1.5\"><title>%s</title></rect>\n",
       style.c_str(), x_of(left) + 1, std::max(0.5, x_of(right) - x_of(left) - 2), top, bottom - top,
       escaped(title).c_str());
 }
 
 std::string Plot::svg(const std::string& about, const std::string& x_label, bool y_axis) const {
-  std::string all =
-      text("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\" aria-label=\"%s\">\n", kWidth, kHeight, escaped(about).c_str());
+  std::string all = formatted("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\" aria-label=\"%s\">\n", kWidth, kHeight,
+                              escaped(about).c_str());
   if (y_axis)
     for (const double y : ticks_between(bottom_, top_, 5))
-      all += text(
+      all += formatted(
           "<line class=\"grid\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/><text class=\"tick y\" x=\"%.1f\" "
           "y=\"%.1f\">%g</text>\n",
           kLeft, kWidth - kRight, y_of(y), y_of(y), kLeft - 7, y_of(y) + 4, y);
   for (const double x : ticks_between(left_, right_, 6))
-    all += text("<text class=\"tick x\" x=\"%.1f\" y=\"%.1f\">%g</text>\n", x_of(x), kHeight - kBottom + 17, x);
-  all += text("<text class=\"axis\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", (kLeft + kWidth - kRight) / 2, kHeight - 5,
-              escaped(x_label).c_str());
+    all += formatted("<text class=\"tick x\" x=\"%.1f\" y=\"%.1f\">%g</text>\n", x_of(x), kHeight - kBottom + 17, x);
+  all += formatted("<text class=\"axis\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", (kLeft + kWidth - kRight) / 2, kHeight - 5,
+                   escaped(x_label).c_str());
   return all + drawn_ + "</svg>\n";
 }
 

@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "robot/core/text.h"
 #include "sim/report/plot.h"
 #include "sim/report/realism.h"
 
 namespace sim::report {
 namespace {
+
+using robot::formatted;
 
 constexpr const char* kStyle = R"(
 :root { color-scheme: light dark; --page: #f6f7f9; --card: #fff; --ink: #14181f; --soft: #5b6472; --line: #dfe3e9;
@@ -31,13 +33,6 @@ svg { display: block; width: 320px; height: 26px; }
 
 constexpr double kWidth = 320, kMiddle = 13;  // [px]
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[400];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
 const char* style_of(const RealismRow& row) { return !row.inside ? "open" : *row.inside ? "yes" : "no"; }
 const char* verdict_of(const RealismRow& row) {
   return !row.inside ? "not judged" : *row.inside ? "inside" : "outside";
@@ -52,17 +47,20 @@ std::string drawing(const RealismRow& row) {
   if (known) most = std::max(most, row.measured.mean + row.measured.error);
   const auto x = [&](double value) { return most > 0 ? std::max(0., value) / (1.05 * most) * kWidth : 0; };
 
-  std::string all = text("<svg viewBox=\"0 0 %.0f 26\" role=\"img\" aria-label=\"%s: %s\">", kWidth,
-                         escaped(row.real.about).c_str(), verdict_of(row));
-  all += text("<line class=\"axis\" x1=\"0\" x2=\"%.0f\" y1=\"%.0f\" y2=\"%.0f\"/>", kWidth, kMiddle, kMiddle);
+  std::string all = formatted("<svg viewBox=\"0 0 %.0f 26\" role=\"img\" aria-label=\"%s: %s\">", kWidth,
+                              escaped(row.real.about).c_str(), verdict_of(row));
+  all += formatted("<line class=\"axis\" x1=\"0\" x2=\"%.0f\" y1=\"%.0f\" y2=\"%.0f\"/>", kWidth, kMiddle, kMiddle);
   if (row.real.interval)
-    all += text("<rect class=\"interval\" x=\"%.1f\" width=\"%.1f\" y=\"5\" height=\"16\" rx=\"3\"/>",
-                x(row.real.interval->low), x(row.real.interval->high) - x(row.real.interval->low));
-  all += text("<line class=\"mean\" x1=\"%.1f\" x2=\"%.1f\" y1=\"4\" y2=\"22\"/>", x(row.real.mean), x(row.real.mean));
+    all += formatted("<rect class=\"interval\" x=\"%.1f\" width=\"%.1f\" y=\"5\" height=\"16\" rx=\"3\"/>",
+                     x(row.real.interval->low), x(row.real.interval->high) - x(row.real.interval->low));
+  all += formatted("<line class=\"mean\" x1=\"%.1f\" x2=\"%.1f\" y1=\"4\" y2=\"22\"/>", x(row.real.mean),
+                   x(row.real.mean));
   if (known) {
-    all += text("<line class=\"%s\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.0f\" y2=\"%.0f\"/>", style_of(row),
-                x(row.measured.mean - row.measured.error), x(row.measured.mean + row.measured.error), kMiddle, kMiddle);
-    all += text("<circle class=\"%s\" cx=\"%.1f\" cy=\"%.0f\" r=\"5\"/>", style_of(row), x(row.measured.mean), kMiddle);
+    all += formatted("<line class=\"%s\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.0f\" y2=\"%.0f\"/>", style_of(row),
+                     x(row.measured.mean - row.measured.error), x(row.measured.mean + row.measured.error), kMiddle,
+                     kMiddle);
+    all += formatted("<circle class=\"%s\" cx=\"%.1f\" cy=\"%.0f\" r=\"5\"/>", style_of(row), x(row.measured.mean),
+                     kMiddle);
   }
   return all + "</svg>";
 }
@@ -71,25 +69,25 @@ std::string row_of(const RealismRow& row) {
   const bool known = row.windows > 0;
   std::string all = "<tr><td title=\"" + escaped(row.real.source) + "\">" + escaped(row.real.about) +
                     "</td><td class=\"plot\">" + drawing(row) + "</td>";
-  all += text("<td class=\"number\">%.3g</td>", row.real.mean);
-  all += known ? text("<td class=\"number\" data-of=\"%s\">%.3g ± %.2g</td>", row.real.key.c_str(), row.measured.mean,
-                      row.measured.error)
+  all += formatted("<td class=\"number\">%.3g</td>", row.real.mean);
+  all += known ? formatted("<td class=\"number\" data-of=\"%s\">%.3g ± %.2g</td>", row.real.key.c_str(),
+                           row.measured.mean, row.measured.error)
                : "<td class=\"number\">–</td>";
   all += "<td>" + escaped(row.real.unit) + "</td>";
-  return all + text("<td class=\"%s\">%s</td></tr>\n", style_of(row), verdict_of(row));
+  return all + formatted("<td class=\"%s\">%s</td></tr>\n", style_of(row), verdict_of(row));
 }
 
 }  // namespace
 
 std::string page_of(const Realism& realism, const std::string& about) {
   const std::string headline =
-      text("%zu of %zu figures lie inside the interval of real games", realism.inside(), realism.judged());
+      formatted("%zu of %zu figures lie inside the interval of real games", realism.inside(), realism.judged());
   std::string all =
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       headline + "</title>\n<style>" + kStyle + "</style></head>\n<body><main>\n<h1>" + headline + "</h1>\n";
   all += "<p class=\"soft\">" + escaped(about) + " " +
-         text(
+         formatted(
              "Bar: the interval of real games (%s); line: their mean; dot: the %s mean of %zu windows ± one standard "
              "error.",
              escaped(realism.name).c_str(), escaped(realism.measured).c_str(), realism.windows) +

@@ -15,7 +15,7 @@ constexpr std::size_t frames_in(double seconds) {
 constexpr std::size_t kLongestGap = 10;             // frames from one known place to the next: 0.35 s
 constexpr std::size_t kMedianReach = 3;             // frames before and after
 constexpr std::size_t kSpeedSpan = frames_in(0.2);  // frames
-constexpr double kFastest = 4;                      // [m/s]
+constexpr double kFastestBall = 4;                  // [m/s]
 constexpr double kKick = 0.5, kRise = 0.4;          // [m/s] a kick; speed from which one is looked for
 constexpr double kRolledOut = 0.1;                  // [m/s]
 constexpr float kRestRadius = 0.15f;                // [m]
@@ -108,7 +108,7 @@ Speeds speeds_of(const Path& smooth) {
     const std::optional<Vec2>&from = smooth[i], &to = smooth[i + kSpeedSpan];
     if (!from || !to) continue;
     const double speed = static_cast<double>(distance(*from, *to)) * kFramesPerSecond / kSpeedSpan;
-    if (speed <= kFastest) speeds[i] = speed;
+    if (speed <= kFastestBall) speeds[i] = speed;
   }
   return speeds;
 }

@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::size_t kFewestFrames = 50;
 constexpr std::size_t kReach = 5;                         // frames averaged before and after
-constexpr std::size_t kStride = 3;                        // [frames]
+constexpr std::size_t kSpeedStride = 3;                   // [frames]
 constexpr std::size_t kSpan = 10;                         // [strides] 1 s
-constexpr double kStanding = 0.05, kFastest = 0.8;        // [m/s]
+constexpr double kStanding = 0.05, kFastestWalk = 0.8;    // [m/s]
 constexpr std::size_t kDownBefore = 15, kDownAfter = 15;  // frames around: from - 15 to + 14
 constexpr int kDownFrames = 22;
 
@@ -34,11 +34,11 @@ std::optional<Vec2> mean_around(const Frames& frames, std::size_t at) {
 
 void add_speeds(const Frames& frames, std::vector<double>& speeds) {
   Path places;
-  for (std::size_t i = 0; i < frames.size(); i += kStride) places.push_back(mean_around(frames, i));
+  for (std::size_t i = 0; i < frames.size(); i += kSpeedStride) places.push_back(mean_around(frames, i));
   for (std::size_t i = 0; i + kSpan < places.size(); ++i) {
     if (!places[i] || !places[i + kSpan]) continue;
     const double speed = static_cast<double>(distance(*places[i], *places[i + kSpan]));  // over 1 s
-    if (speed < kFastest) speeds.push_back(speed);
+    if (speed < kFastestWalk) speeds.push_back(speed);
   }
 }
 

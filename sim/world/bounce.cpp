@@ -9,7 +9,7 @@ namespace {
 
 // After this many rebounds within one tick the ball is stuck between things and stays there until the next tick.
 constexpr int kMostRebounds = 4;
-constexpr float kTolerance = 1e-5f;  // [m] a smaller overlap does not count
+constexpr float kLeastOverlap = 1e-5f;  // [m] a smaller overlap does not count
 
 /// A body or a post that the ball can hit.
 struct Obstacle {
@@ -102,7 +102,7 @@ Obstacle obstacle_of(const field::Field& field, const BallModel& ball, const Con
 bool meets(const Moving& ball, const Obstacle& obstacle, float time, Meeting& meeting) {
   const Vec2 offset = ball.position - obstacle.position;
   const float outside = squared_length(offset) - obstacle.reach * obstacle.reach;
-  if (outside < -2 * kTolerance * obstacle.reach) {
+  if (outside < -2 * kLeastOverlap * obstacle.reach) {
     meeting = {0, -outside};
     return true;
   }

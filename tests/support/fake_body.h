@@ -1,10 +1,14 @@
 // A simple Nao body as LoLA shows it: joints that follow, a torso that falls on command, hands that touch it.
 #pragma once
 
+#include <cstdint>
+
 #include "robot/nao/lola/actuators.h"
 #include "robot/nao/lola/sensors.h"
 
 namespace tests {
+
+inline constexpr std::uint64_t kCycle_ns = 12'000'000;  // of LoLA
 
 class FakeBody {
  public:

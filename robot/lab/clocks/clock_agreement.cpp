@@ -63,7 +63,7 @@ std::map<std::string, std::vector<ClockOffset>> samples_of(const logging::Sessio
 }
 
 /// Joins the parts of a sentence.
-std::string joined(std::initializer_list<std::string_view> parts) {
+std::string sentence_of(std::initializer_list<std::string_view> parts) {
   std::string sentence;
   for (const std::string_view part : parts) sentence += part;
   return sentence;
@@ -108,21 +108,21 @@ std::optional<ClockComparison> compare(const RecordedClock& reference, const Rec
 namespace {
 
 Result<Agreement> agree_with(const RecordedClock& reference, const RecordedClock& clock, std::uint64_t most_ns) {
-  const std::string both = joined({"the clocks of ", clock.who, " and ", reference.who});
+  const std::string both = sentence_of({"the clocks of ", clock.who, " and ", reference.who});
   constexpr std::string_view kAsTheyAre = "; their times stay unchanged";
   const auto found = compare(reference, clock);
   if (!found)
-    return Agreement{
-        .sentence = joined({both, " cannot be compared: no clock samples of one machine are in both", kAsTheyAre})};
+    return Agreement{.sentence = sentence_of(
+                         {both, " cannot be compared: no clock samples of one machine are in both", kAsTheyAre})};
   const std::string told = to_text(found->offset), by = found->by.empty() ? "" : ", by " + found->by;
   if (found->offset.error_ns > kUselessNs)
-    return Agreement{.sentence =
-                         joined({both, " cannot be compared: by their samples the offset is ", told, by, kAsTheyAre})};
+    return Agreement{
+        .sentence = sentence_of({both, " cannot be compared: by their samples the offset is ", told, by, kAsTheyAre})};
   const auto shift_ns = correction(found->offset, most_ns, clock.who + "'s");
   if (!shift_ns) return shift_ns.failure();
-  if (*shift_ns == 0) return Agreement{.sentence = joined({both, " agree: ", clock.who, "'s is ", told, by})};
+  if (*shift_ns == 0) return Agreement{.sentence = sentence_of({both, " agree: ", clock.who, "'s is ", told, by})};
   return Agreement{.shift_ns = *shift_ns,
-                   .sentence = joined(
+                   .sentence = sentence_of(
                        {clock.who, "'s clock is ", told, " of ", reference.who, "'s", by, ": its times are shifted"})};
 }
 

@@ -17,13 +17,6 @@
 namespace robot::lab {
 namespace {
 
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[512];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
 std::string utc(std::uint64_t time_ns) {
   const std::time_t seconds = static_cast<std::time_t>(time_ns / kSecond);
   std::tm calendar{};
@@ -146,33 +139,33 @@ Result<SessionReport> inspect(const std::filesystem::path& path) {
 
 std::string to_text(const SessionReport& report) {
   const logging::Session& session = report.session;
-  std::string text = format("session  %s (%s)\n", session.id().c_str(), std::string(name(session.state)).c_str());
-  text += format("robot    %s, profile %s, build %s\n", session.info.robot.c_str(), session.info.profile.c_str(),
-                 session.info.build.c_str());
+  std::string text = formatted("session  %s (%s)\n", session.id().c_str(), std::string(name(session.state)).c_str());
+  text += formatted("robot    %s, profile %s, build %s\n", session.info.robot.c_str(), session.info.profile.c_str(),
+                    session.info.build.c_str());
   if (!session.info.only.empty())
     text += "objects  " + joined(session.info.only, ", ") + "; the others were left out by choice\n";
   if (!session.info.about.empty()) text += "about    " + session.info.about + "\n";
-  text += format("time     %s UTC, %.1f s\n",
-                 utc(session.start_ns + static_cast<std::uint64_t>(session.info.behind_ns)).c_str(),
-                 static_cast<double>(session.end_ns - session.start_ns) * 1e-9);
-  text += format("size     %.1f MB\n", static_cast<double>(session.size_bytes) * 1e-6);
+  text += formatted("time     %s UTC, %.1f s\n",
+                    utc(session.start_ns + static_cast<std::uint64_t>(session.info.behind_ns)).c_str(),
+                    static_cast<double>(session.end_ns - session.start_ns) * 1e-9);
+  text += formatted("size     %.1f MB\n", static_cast<double>(session.size_bytes) * 1e-6);
   if (session.info.behind_ns != 0)
-    text += format("clock    it was set while the program ran: the recorded times are %.1f s %s the time of day\n",
-                   static_cast<double>(std::abs(session.info.behind_ns)) * 1e-9,
-                   session.info.behind_ns > 0 ? "behind" : "ahead of");
+    text += formatted("clock    it was set while the program ran: the recorded times are %.1f s %s the time of day\n",
+                      static_cast<double>(std::abs(session.info.behind_ns)) * 1e-9,
+                      session.info.behind_ns > 0 ? "behind" : "ahead of");
   for (const auto& [peer, offset] : report.clock.peers)
     text += "clock    " + peer + " is " + to_text(offset) + " of that of " + report.clock.who + "\n";
   if (!session.message.empty()) text += "note     " + session.message + "\n";
   for (const std::string& damage : report.damages)
     if (session.message.find(damage) == std::string::npos) text += "note     " + damage + "\n";
-  text += format("\n%-30s %-24s %9s %9s %9s %9s %11s\n", "topic", "schema", "messages", "Hz", "missing", "kB",
-                 "longest gap");
+  text += formatted("\n%-30s %-24s %9s %9s %9s %9s %11s\n", "topic", "schema", "messages", "Hz", "missing", "kB",
+                    "longest gap");
   for (const StreamReport& stream : report.streams) {
     const std::string& shown = stream.topic.empty() ? stream.file : stream.topic;
-    text += format("%-30s %-24s %9llu %9.1f %9llu %9.1f %9.3f s\n", shown.c_str(), stream.schema.c_str(),
-                   static_cast<unsigned long long>(stream.messages), stream.rate_hz,
-                   static_cast<unsigned long long>(stream.missing), static_cast<double>(stream.size_bytes) * 1e-3,
-                   stream.longest_gap);
+    text += formatted("%-30s %-24s %9llu %9.1f %9llu %9.1f %9.3f s\n", shown.c_str(), stream.schema.c_str(),
+                      static_cast<unsigned long long>(stream.messages), stream.rate_hz,
+                      static_cast<unsigned long long>(stream.missing), static_cast<double>(stream.size_bytes) * 1e-3,
+                      stream.longest_gap);
     if (!stream.damage.empty()) text += "  damaged: " + stream.damage + "\n";
     if (!stream.note.empty()) text += "  note: " + stream.note + "\n";
   }

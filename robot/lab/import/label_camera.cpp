@@ -77,13 +77,6 @@ Vector coarse_fit(const std::vector<Box>& boxes, bool super_view) {
   return best.parameters;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 }  // namespace
 
 Ground Camera::at(double x_px, double y_px, double above) const {
@@ -138,6 +131,13 @@ CameraError error_of(const Camera& camera, const std::vector<Box>& upright) {
     shares.push_back(std::abs(difference) / std::max(feet, 1e-3));
   }
   return {.share = median(std::move(shares)), .metres = median(std::move(metres))};
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
 }
 
 }  // namespace robot::lab::labels

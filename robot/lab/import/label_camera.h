@@ -46,4 +46,7 @@ Result<Camera> fit_camera(const std::vector<Box>& upright);
 /// Measures the error of a camera on boxes that it need not have been fitted to.
 CameraError error_of(const Camera& camera, const std::vector<Box>& upright);
 
+/// Returns the median, or 0 without values.
+double median(std::vector<double> values);
+
 }  // namespace robot::lab::labels

@@ -10,12 +10,6 @@ namespace {
 constexpr double kBetweenGoalkeepers = 8.5;  // [m] on a field of 9 m
 constexpr std::size_t kFewestSights = 50;    // of a goalkeeper
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 /// Returns the median place of a team's goalkeeper before the camera.
 Result<Ground> goalkeeper_of(int team, const Camera& camera, const std::vector<Frame>& frames, const Teams& teams) {
   std::vector<double> x, y;

@@ -58,9 +58,9 @@ Result<std::vector<float>> float_fields(std::string_view bytes, std::size_t coun
   return fields;
 }
 
-class Importer {
+class NblogImporter {
  public:
-  Importer(std::uint64_t epoch_ns, ImportSink& sink) : epoch_ns_(epoch_ns), sink_(sink, report_) {}
+  NblogImporter(std::uint64_t epoch_ns, ImportSink& sink) : epoch_ns_(epoch_ns), sink_(sink, report_) {}
 
   Result<ImportReport> run(const std::vector<Expression>& blocks, std::string_view payload) {
     for (const Expression& block : blocks) {
@@ -183,7 +183,7 @@ Result<ImportReport> import_nblog(std::string_view file_bytes, std::uint64_t epo
     if (!item.items.empty() && item.items[0].atom == "contents")
       blocks.assign(item.items.begin() + 1, item.items.end());
 
-  Importer importer(epoch_ns, sink);
+  NblogImporter importer(epoch_ns, sink);
   const std::string_view rest = file_bytes.substr(4 + header_size);
   const std::string_view payload = rest.substr(std::min<std::size_t>(4, rest.size()));
   if (rest.size() < 4)

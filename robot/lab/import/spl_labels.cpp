@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "proto/foresight/truth.pb.h"
+#include "robot/core/text.h"
 #include "robot/lab/import/label_camera.h"
 #include "robot/lab/import/label_field.h"
 #include "robot/lab/import/label_rows.h"
@@ -57,24 +57,14 @@ double difference_of(const FieldView& one, const FieldView& two, const std::vect
     const Ground first = one.feet(box), second = two.feet(box);
     distances.push_back(std::hypot(first.x - second.x, first.y - second.y));
   }
-  if (distances.empty()) return 0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::ranges::nth_element(distances, middle);
-  return *middle;
-}
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[300];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
+  return median(std::move(distances));
 }
 
 /// Describes the camera and its error: on its own boxes, and on each half of the file after a fit to the other half.
 std::string description_of(const View& view, const std::vector<Frame>& frames) {
   const Camera& camera = view.field.camera;
   const CameraError error = error_of(camera, upright_boxes(frames));
-  std::string about = text(
+  std::string about = formatted(
       "camera %.1f m above the ground, focal length %.0f px, scale %.2f; median error %.1f %% of the distance, %.2f m",
       camera.height * view.field.scale, camera.focal_px, view.field.scale, 100 * error.share,
       view.field.scale * error.metres);
@@ -84,7 +74,7 @@ std::string description_of(const View& view, const std::vector<Frame>& frames) {
   if (!views[0] || !views[1]) return about + "; too few boxes to fit the halves of the file";
   const CameraError other = error_of(views[0]->camera, upright_boxes(halves[1]));
   const CameraError back = error_of(views[1]->camera, upright_boxes(halves[0]));
-  return about + text(
+  return about + formatted(
                      "; fitted to one half of the file, %.1f %% and %.1f %% on the other; places by the two fits "
                      "differ by %.2f m",
                      100 * other.share, 100 * back.share, difference_of(*views[0], *views[1], frames));

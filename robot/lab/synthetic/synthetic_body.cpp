@@ -14,8 +14,6 @@ constexpr double kFullSpeed = 0.324;  // [m/s]
 constexpr double kGravity = 9.81;     // [m/s²]
 constexpr double kMass = 5.3;         // [kg]
 
-float narrow(double value) { return static_cast<float>(value); }
-
 /// Returns the walking speed as a share: 0 standing .. 1 full speed.
 double gait(double t) { return std::min(1.0, walker_at(t).speed / kFullSpeed); }
 

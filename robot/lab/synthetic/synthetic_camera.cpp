@@ -17,7 +17,7 @@ constexpr double kCarpetX = 5.2, kCarpetY = 3.7;      // [m] half its size
 constexpr double kPenaltyX = 2.85, kPenaltyY = 2;     // [m] corner of the penalty area
 constexpr double kGoalAreaX = 3.9, kGoalAreaY = 1.1;  // [m]
 constexpr double kMarkX = 3.2, kMarkHalf = 0.05;      // [m] penalty mark
-constexpr double kCircleRadius = 0.75;                // [m]
+constexpr double kCentreCircleRadius = 0.75;          // [m]
 
 Rotation about_x(double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -57,7 +57,7 @@ double line_distance(double x, double y) {
   const auto along_y = [&](double line_x, double to) { return std::hypot(x - line_x, std::max(y - to, 0.0)); };
   const double end = kFieldLength / 2, side = kFieldWidth / 2;
   double distance = std::min({along_x(side, 0, end), along_y(end, side), along_y(0, side)});
-  distance = std::min(distance, std::abs(std::hypot(x, y) - kCircleRadius));
+  distance = std::min(distance, std::abs(std::hypot(x, y) - kCentreCircleRadius));
   distance = std::min({distance, along_x(kPenaltyY, kPenaltyX, end), along_y(kPenaltyX, kPenaltyY)});
   distance = std::min({distance, along_x(kGoalAreaY, kGoalAreaX, end), along_y(kGoalAreaX, kGoalAreaY)});
   return std::min({distance, along_x(0, kMarkX - kMarkHalf, kMarkX + kMarkHalf), along_y(kMarkX, kMarkHalf)});

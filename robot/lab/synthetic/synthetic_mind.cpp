@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kKickReach = 0.28;  // [m]
 
-float narrow(double value) { return static_cast<float>(value); }
-
 std::uint64_t ns(const SyntheticMoment& moment, double t) {
   return moment.epoch_ns + static_cast<std::uint64_t>(std::llround(t * 1e9));
 }

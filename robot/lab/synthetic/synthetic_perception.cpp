@@ -8,11 +8,9 @@
 namespace robot::lab::synthetic {
 namespace {
 
-constexpr double kBallPixelMargin = 4;  // [px]
-constexpr double kBallFar = 6;          // [m] greatest distance at which vision finds the ball
-constexpr double kFriction = 0.4;       // [m/s²] in the ball filter
-
-float narrow(double value) { return static_cast<float>(value); }
+constexpr double kBallPixelMargin = 4;    // [px]
+constexpr double kBallFar = 6;            // [m] greatest distance at which vision finds the ball
+constexpr double kAssumedFriction = 0.4;  // [m/s²] in the ball filter
 
 /// Returns the camera at time `t` in the frame `field`.
 Camera field_camera(double t, int width, int height) {
@@ -146,9 +144,9 @@ std::optional<pb::Ball> ball_of(const SyntheticMoment& moment, const Sight& sigh
   const double range = std::hypot(seen.position.x - then.position.x, seen.position.y - then.position.y);
 
   // the filter's prediction since the last sight, with the error of that image
-  const double speed = std::hypot(seen.velocity.x, seen.velocity.y), rolling = std::min(age, speed / kFriction);
-  const double way = speed > 0 ? rolling - kFriction * rolling * rolling / (2 * speed) : 0;
-  const double slowed = speed > 0 ? std::max(0.0, 1 - kFriction * age / speed) : 0;
+  const double speed = std::hypot(seen.velocity.x, seen.velocity.y), rolling = std::min(age, speed / kAssumedFriction);
+  const double way = speed > 0 ? rolling - kAssumedFriction * rolling * rolling / (2 * speed) : 0;
+  const double slowed = speed > 0 ? std::max(0.0, 1 - kAssumedFriction * age / speed) : 0;
   const auto step = static_cast<std::uint64_t>(std::llround(*sight.last_seen * 100));
   const double error = 0.01 + 0.03 * range;
   const Point believed{seen.position.x + way * seen.velocity.x + error * noise(Noise::kBallX, step),
@@ -166,7 +164,8 @@ std::optional<pb::Ball> ball_of(const SyntheticMoment& moment, const Sight& sigh
   ball.set_visible(sight.visible);
   ball.set_velocity_deviation(narrow(0.05 + 0.1 * age));
   ball.set_stationary(slowed * speed < 0.05);
-  const double left = slowed * speed / (2 * kFriction);  // [s] times the velocity is the way to the place of rest
+  const double left =
+      slowed * speed / (2 * kAssumedFriction);  // [s] times the velocity is the way to the place of rest
   ball.set_rest_x(narrow(place.x + left * velocity.x));
   ball.set_rest_y(narrow(place.y + left * velocity.y));
   ball.set_frames_visible(sight.visible ? sight.run : 0);

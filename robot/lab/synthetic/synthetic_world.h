@@ -10,6 +10,8 @@
 
 namespace robot::lab::synthetic {
 
+inline float narrow(double value) { return static_cast<float>(value); }
+
 inline constexpr double kReady = 1.5, kSet = 6, kPlaying = 7.5;  // [s] when the game changes to these states
 inline constexpr double kKick = 11.5;                            // [s] 14/2 shoots
 inline constexpr double kGoal = 15.5;                            // [s] the goal counts: ready again

@@ -22,7 +22,6 @@ namespace pb = foresight;
 constexpr std::uint64_t kSameNs = 5'000'000'000;       // equal reports of several robots within this time are one event
 constexpr std::uint64_t kSameGoalNs = 20'000'000'000;  // as before: the GameController reports goals up to 15 s late
 constexpr int kMostPlayers = 20;
-constexpr int kCheckedEvery = 256;  // [messages] between two questions whether it is cancelled
 
 /// Movements that are no kicks, by our motions and by the simulator's.
 constexpr std::array<std::string_view, 6> kNoKicks = {"", "squat", "stand_up", "sit", "tuck", "get_up"};

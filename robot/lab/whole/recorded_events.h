@@ -11,6 +11,8 @@
 
 namespace robot::lab {
 
+inline constexpr int kCheckedEvery = 256;  // [messages] between two questions whether a reading is cancelled
+
 /// One event, in the words of the viewer's time strip.
 struct RecordedEvent {
   std::uint64_t at_ns = 0;  // capture time of the message that reports it

@@ -8,8 +8,6 @@
 namespace robot::lab {
 namespace {
 
-constexpr int kCheckedEvery = 256;  // [messages] between two questions whether it is cancelled
-
 /// The fields of one topic, decoded together.
 struct Decoded {
   std::string topic;

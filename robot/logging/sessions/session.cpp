@@ -21,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
-
 /// The file of a stream, and the facts about the session in it.
 struct ReadFile {
   StreamFile stream;
@@ -68,7 +66,7 @@ std::string robot_of(const std::string& topic) {
 }
 
 /// Joins the sentences that are not empty.
-std::string joined(std::initializer_list<std::string_view> sentences) {
+std::string sentences_of(std::initializer_list<std::string_view> sentences) {
   std::string text;
   for (const std::string_view sentence : sentences) {
     if (!text.empty() && !sentence.empty()) text += "; ";
@@ -165,7 +163,7 @@ void sum_up(Session& session, std::vector<TimeGroup> times) {
   if (session.state == SessionState::recovered)
     session.message = "the recording ended without warning; what was on the disk by then is readable";
   leave_out_retained(session, session.info.start_ns);
-  session.message = joined({session.message, span.note()});
+  session.message = sentences_of({session.message, span.note()});
 }
 
 std::uint64_t after_epoch(std::int64_t time_ns) {
@@ -230,7 +228,7 @@ Result<Session> read_recording(const fs::path& path) {
   const TimeSpan span = time_span((*file)->source(), index);
   session.start_ns = session.info.start_ns = span.start_ns;
   session.end_ns = span.end_ns;
-  session.message = joined({index.damage, span.note()});
+  session.message = sentences_of({index.damage, span.note()});
   for (TopicStream& stream : topic_streams(index))
     session.streams.push_back({.topic = stream.info.topic,
                                .file = path.filename().string(),

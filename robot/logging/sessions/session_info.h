@@ -1,6 +1,7 @@
 // The facts about a session: in each of its MCAP files, and for people in the file session.json.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,6 +13,8 @@
 #include "robot/logging/mcap/writer.h"
 
 namespace robot::logging {
+
+inline constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;  // of a session.json that is read
 
 /// The account of a session: each version that a recorder had to record in it is counted once.
 struct SessionAccount {

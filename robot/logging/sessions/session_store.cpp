@@ -31,8 +31,6 @@ bool has(const std::vector<FolderEntry>& entries, std::string_view name) {
   return std::ranges::find(entries, name, &FolderEntry::name) != entries.end();
 }
 
-constexpr std::size_t kMaxSessionJsonBytes = 1 << 20;
-
 }  // namespace
 
 SessionStore::SessionStore(fs::path folder, std::uint64_t max_bytes)

@@ -4,11 +4,11 @@
 #include <cassert>
 #include <cstdint>
 
+#include "robot/nao/lola/markers.h"
+
 namespace robot::nao {
 namespace {
 
-constexpr char kFixMap = '\x80', kFixArray = '\x90', kArray16 = '\xdc', kFixText = '\xa0', kFloat32 = '\xca';
-constexpr char kFalse = '\xc2', kTrue = '\xc3';
 constexpr std::size_t kLightsOfAnEye = 8;
 
 struct Key {
@@ -33,27 +33,27 @@ constexpr std::array<Key, 10> kKeys{{
 }  // namespace
 
 void ActuatorFrame::begin(std::string_view key, std::size_t numbers) {
-  bytes_ += static_cast<char>(kFixText | static_cast<char>(key.size()));
+  bytes_ += byte_of(kFixText, key.size());
   bytes_ += key;
   if (numbers < 16) {
-    bytes_ += static_cast<char>(kFixArray | static_cast<char>(numbers));
+    bytes_ += byte_of(kFixArray, numbers);
   } else {
-    bytes_ += kArray16;
+    bytes_ += byte_of(kArray16);
     bytes_ += '\0';
     bytes_ += static_cast<char>(numbers);
   }
 }
 
 ActuatorFrame::ActuatorFrame() {
-  bytes_ += static_cast<char>(kFixMap | static_cast<char>(kKeys.size() + 1));
+  bytes_ += byte_of(kFixMap, kKeys.size() + 1);
   for (const Key& key : kKeys) {
     begin(key.name, key.numbers);
     fields_.push_back(bytes_.size());
-    for (std::size_t i = 0; i < key.numbers; ++i) bytes_ += {kFloat32, '\0', '\0', '\0', '\0'};
+    for (std::size_t i = 0; i < key.numbers; ++i) bytes_ += {byte_of(kFloat32), '\0', '\0', '\0', '\0'};
   }
   begin("Sonar", 2);
   fields_.push_back(bytes_.size());
-  bytes_ += {kTrue, kTrue};
+  bytes_ += {byte_of(kTrue), byte_of(kTrue)};
   assert(bytes_.size() == kBytes);
 }
 
@@ -85,7 +85,8 @@ std::string_view ActuatorFrame::compose(const Actuators& actuators) {
   write(actuators.lights.l_ear);
   write(actuators.lights.r_ear);
   write(actuators.lights.skull);
-  for (std::size_t side = 0; side < 2; ++side) bytes_[fields_[field] + side] = actuators.sonar ? kTrue : kFalse;
+  for (std::size_t side = 0; side < 2; ++side)
+    bytes_[fields_[field] + side] = byte_of(actuators.sonar ? kTrue : kFalse);
   return bytes_;
 }
 

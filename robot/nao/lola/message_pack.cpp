@@ -3,32 +3,13 @@
 #include <bit>
 #include <cassert>
 
+#include "robot/nao/lola/markers.h"
+
 namespace robot::nao {
 namespace {
 
 constexpr int kMaxDepth = 8;
 constexpr std::uint64_t kMaxBytes = 65535;
-
-// markers, https://github.com/msgpack/msgpack/blob/master/spec.md
-enum Marker : std::uint8_t {
-  kFixMap = 0x80,
-  kFixArray = 0x90,
-  kFixText = 0xa0,
-  kNil = 0xc0,
-  kFalse = 0xc2,
-  kTrue = 0xc3,
-  kBinary8 = 0xc4,
-  kExtension8 = 0xc7,
-  kFloat32 = 0xca,
-  kFloat64 = 0xcb,
-  kCounting8 = 0xcc,
-  kWhole8 = 0xd0,
-  kFixExtension1 = 0xd4,
-  kText8 = 0xd9,
-  kArray16 = 0xdc,
-  kMap16 = 0xde,
-  kNegative = 0xe0,
-};
 
 std::uint64_t read_big_endian(std::string_view bytes, std::size_t at, std::size_t size) {
   std::uint64_t value = 0;

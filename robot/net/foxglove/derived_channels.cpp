@@ -62,7 +62,7 @@ Bytes to_raw(const memory::Version& source, const std::string& frame_id) {
     height = static_cast<std::uint32_t>(decoded->height);
     pixels = std::move(decoded->yuyv);
   }
-  foxglove::RawImage raw;
+  ::foxglove::RawImage raw;
   set_time(*raw.mutable_timestamp(), source.capture_ns());
   raw.set_width(width);
   raw.set_height(height);
@@ -87,7 +87,7 @@ Bytes to_jpeg(const memory::Version& source, const std::string& frame_id, const 
     if (!encoded) return encoded.failure();
     jpeg = std::move(*encoded);
   }
-  foxglove::CompressedImage compressed;
+  ::foxglove::CompressedImage compressed;
   set_time(*compressed.mutable_timestamp(), source.capture_ns());
   compressed.set_data(std::move(jpeg));
   compressed.set_format("jpeg");
@@ -100,11 +100,11 @@ Bytes to_log(const memory::Version& source) {
   if (!text.ParseFromArray(source.bytes().data(), static_cast<int>(source.bytes().size())))
     return Error{"expected a foresight.LogText, got " + std::to_string(source.size_bytes()) +
                  " bytes that cannot be parsed as one"};
-  foxglove::Log log;
+  ::foxglove::Log log;
   set_time(*log.mutable_timestamp(), source.capture_ns());
   // the levels have the same numbers
-  log.set_level(foxglove::Log::Level_IsValid(text.level()) ? static_cast<foxglove::Log::Level>(text.level())
-                                                           : foxglove::Log::UNKNOWN);
+  log.set_level(::foxglove::Log::Level_IsValid(text.level()) ? static_cast<::foxglove::Log::Level>(text.level())
+                                                             : ::foxglove::Log::UNKNOWN);
   log.set_message(text.text());
   log.set_name(text.source());
   log.set_file(text.file());
@@ -120,10 +120,10 @@ memory::ChannelInfo derived_info(const memory::ChannelInfo& source, const char* 
 
 std::vector<Derived> of_image(const memory::ChannelInfo& source, const Parameters& parameters) {
   const std::string frame_id = camera_frame(source.topic);
-  Derived raw{.info = derived_info<foxglove::RawImage>(source, "/raw"), .make_convert = [frame_id]() -> Convert {
+  Derived raw{.info = derived_info<::foxglove::RawImage>(source, "/raw"), .make_convert = [frame_id]() -> Convert {
                 return [frame_id](const memory::Version& version) { return to_raw(version, frame_id); };
               }};
-  Derived jpeg{.info = derived_info<foxglove::CompressedImage>(source, "/jpeg"),
+  Derived jpeg{.info = derived_info<::foxglove::CompressedImage>(source, "/jpeg"),
                .make_convert = [frame_id, &parameters]() -> Convert {
                  return [frame_id, &parameters, limit = RateLimit()](const memory::Version& version) mutable -> Bytes {
                    if (!limit.passes(version.capture_ns(), parameters.number("jpeg_rate_hz")))
@@ -160,7 +160,7 @@ std::vector<Derived> derived_channels(const memory::ChannelInfo& source, const P
   if (source.schema.name != pb::LogText::descriptor()->full_name()) return {};
   std::vector<Derived> derived;
   derived.push_back(
-      {.info = derived_info<foxglove::Log>(source, "/foxglove"), .make_convert = []() -> Convert { return to_log; }});
+      {.info = derived_info<::foxglove::Log>(source, "/foxglove"), .make_convert = []() -> Convert { return to_log; }});
   return derived;
 }
 

@@ -8,11 +8,12 @@
 #include "robot/logging/mcap/writer.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/times.h"
 
 namespace robot::app {
 namespace {
 
-constexpr std::uint64_t kStart = 1'700'000'000 * kSecond;
+using tests::kNow;
 
 struct PlayedRange : testing::Test {
   PlayedRange() {
@@ -29,7 +30,7 @@ struct PlayedRange : testing::Test {
     EXPECT_TRUE(opened) << opened.error();
     replay = std::move(*opened);
   }
-  static std::uint64_t at(std::uint64_t i) { return kStart + i * kSecond; }
+  static std::uint64_t at(std::uint64_t i) { return kNow + i * kSecond; }
   /// Returns the time of message `i` by the clock of the playback.
   static std::uint64_t played(std::uint64_t i) { return at(i) + static_cast<std::uint64_t>(kShift); }
 

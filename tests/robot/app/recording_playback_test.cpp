@@ -7,18 +7,21 @@
 #include "robot/logging/sessions/session_writer.h"
 #include "tests/support/eventually.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/times.h"
 
 namespace robot::app {
 namespace {
 
 using Status = net::foxglove::Playback;
 
-constexpr std::uint64_t kStart = 1'700'000'000 * kSecond, kEnd = kStart + 2 * kSecond;
+using tests::kNow;
+
+constexpr std::uint64_t kEnd = kNow + 2 * kSecond;
 
 struct PlaybackOfARecording : testing::Test {
   PlaybackOfARecording() {
     auto writer = logging::SessionWriter::create(folder / "recorded", {.robot = "14/2", .team = 14, .player = 2});
-    for (const std::uint64_t time_ns : {kStart, kEnd})
+    for (const std::uint64_t time_ns : {kNow, kEnd})
       EXPECT_TRUE((*writer)->write(info, time_ns, std::to_string(time_ns)));
     EXPECT_TRUE((*writer)->close());
     auto opened = body::Replay::open({folder / "recorded"}, {});
@@ -32,23 +35,23 @@ struct PlaybackOfARecording : testing::Test {
 
 TEST_F(PlaybackOfARecording, AnOwnPlayheadIsPausedWhereItIsAskedFor) {
   RecordingPlayback playback(*replay, 4, false);
-  const auto own = playback.own_playhead(kStart + kSecond);
+  const auto own = playback.own_playhead(kNow + kSecond);
   ASSERT_TRUE(own) << own.error();
   EXPECT_EQ((*own)->state().status, Status::paused);
-  EXPECT_EQ((*own)->state().time_ns, kStart + kSecond);
+  EXPECT_EQ((*own)->state().time_ns, kNow + kSecond);
   EXPECT_EQ((*own)->state().speed, 4);
   // outside of the recording or without a time, at its start
   for (const std::optional<std::uint64_t> from_ns : {std::optional<std::uint64_t>(7), {}, {UINT64_MAX}})
-    EXPECT_EQ((*playback.own_playhead(from_ns))->state().time_ns, kStart);
+    EXPECT_EQ((*playback.own_playhead(from_ns))->state().time_ns, kNow);
 }
 
 TEST_F(PlaybackOfARecording, AnOwnPlayheadMovesNoOther) {
   RecordingPlayback playback(*replay, 1, false);
   const auto own = playback.own_playhead({}), other = playback.own_playhead({});
-  EXPECT_TRUE((*own)->control({.play = false, .speed = 1, .seek_ns = kStart + kSecond, .request_id = ""}));
-  EXPECT_EQ((*own)->state().time_ns, kStart + kSecond);
-  EXPECT_EQ((*other)->state().time_ns, kStart);
-  EXPECT_EQ(playback.state().time_ns, kStart);
+  EXPECT_TRUE((*own)->control({.play = false, .speed = 1, .seek_ns = kNow + kSecond, .request_id = ""}));
+  EXPECT_EQ((*own)->state().time_ns, kNow + kSecond);
+  EXPECT_EQ((*other)->state().time_ns, kNow);
+  EXPECT_EQ(playback.state().time_ns, kNow);
 }
 
 TEST_F(PlaybackOfARecording, PlayAtTheEndBeginsAgain) {

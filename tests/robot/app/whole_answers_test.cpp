@@ -6,20 +6,21 @@
 #include "robot/core/json_library.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/times.h"
 
 namespace robot::app {
 namespace {
 
 using nlohmann::json;
 
-constexpr std::uint64_t kStart = 1'700'000'000 * kSecond;
+using tests::kNow;
 
 struct WholeAnswers : testing::Test {
   WholeAnswers() {
     auto writer = logging::SessionWriter::create(folder / "recorded", {.robot = "14/2", .team = 14, .player = 2});
     EXPECT_TRUE(writer);
     for (std::uint64_t i = 0; i <= 100; ++i)
-      EXPECT_TRUE((*writer)->write({.topic = "/14/2/x", .message_encoding = "json", .schema = {}}, kStart + i * kSecond,
+      EXPECT_TRUE((*writer)->write({.topic = "/14/2/x", .message_encoding = "json", .schema = {}}, kNow + i * kSecond,
                                    R"({"n":)" + std::to_string(i) + R"(,"word":")" + (i < 50 ? "a" : "b") + "\"}"));
     EXPECT_TRUE((*writer)->close());
     auto opened = body::Replay::open({folder / "recorded"}, {});
@@ -51,7 +52,7 @@ struct WholeAnswers : testing::Test {
 
 TEST_F(WholeAnswers, NumbersAreListsWithAnEntryForEachInterval) {
   const json all = ask("numbers?fields=/14/2/x.n+/14/2/x.none&intervals=2");
-  EXPECT_EQ(all["from"], std::to_string(kStart));
+  EXPECT_EQ(all["from"], std::to_string(kNow));
   EXPECT_EQ(all["damages"], 0);
   const json& n = all["fields"][0];
   EXPECT_EQ(n["field"], "/14/2/x.n");
@@ -60,8 +61,8 @@ TEST_F(WholeAnswers, NumbersAreListsWithAnEntryForEachInterval) {
   EXPECT_EQ(n["most"][1], 100);
   EXPECT_EQ(n["mean"][0].get<double>() + n["most"][0].get<double>() / 2, n["most"][0].get<double>());
   EXPECT_TRUE(all["fields"][1]["mean"][0].is_null());
-  const json part = ask("numbers?fields=/14/2/x.n&from=" + std::to_string(kStart + 10 * kSecond) +
-                        "&to=" + std::to_string(kStart + 12 * kSecond) + "&intervals=4096");
+  const json part = ask("numbers?fields=/14/2/x.n&from=" + std::to_string(kNow + 10 * kSecond) +
+                        "&to=" + std::to_string(kNow + 12 * kSecond) + "&intervals=4096");
   json found = json::array();
   for (const json& value : part["fields"][0]["mean"])
     if (!value.is_null()) found.push_back(value);
@@ -70,7 +71,7 @@ TEST_F(WholeAnswers, NumbersAreListsWithAnEntryForEachInterval) {
 
 TEST_F(WholeAnswers, RunsNameTheirWordsOnce) {
   EXPECT_EQ(ask("runs?topic=/14/2/x&fields=word"),
-            (json{{"from", std::to_string(kStart)},
+            (json{{"from", std::to_string(kNow)},
                   {"words", {"a", "b"}},
                   {"full", false},
                   {"runs", {{0, 50 * kSecond, 0}, {50 * kSecond, 50 * kSecond, 1}}}}));

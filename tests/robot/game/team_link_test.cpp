@@ -11,7 +11,7 @@
 namespace robot::game {
 namespace {
 
-constexpr std::uint32_t kLoopback = 0x7f000001, kEverybodyHere = 0x7fffffff;
+constexpr std::uint32_t kHere = 0x7f000001, kEverybodyHere = 0x7fffffff;
 
 /// Returns the next packet at `socket`, or nothing if none comes within `patience_ns`.
 std::optional<Datagram> next(UdpSocket& socket, std::uint64_t patience_ns = 60 * kSecond) {
@@ -26,7 +26,7 @@ struct Link : ::testing::Test {
     options.port = mate->port();
     options.return_port = referee->port();
     auto opened = TeamLink::open(options, memory, clock, [this] {
-      return std::optional<Endpoint>({kLoopback, referee->port()});
+      return std::optional<Endpoint>({kHere, referee->port()});
     });
     ASSERT_TRUE(opened) << opened.error();
     link = std::move(*opened);
@@ -58,7 +58,7 @@ struct Link : ::testing::Test {
 
   SessionClock clock;
   memory::Memory memory{"14/3", clock};
-  Result<UdpSocket> referee = UdpSocket::open(kLoopback, 0);
+  Result<UdpSocket> referee = UdpSocket::open(kHere, 0);
   Result<UdpSocket> mate = UdpSocket::open(0, 0);  // shares the team's port with the link; each receives every packet
   std::unique_ptr<TeamLink> link;
 };
@@ -139,8 +139,8 @@ TEST_F(Link, StopsWhenAnotherProgramSendsWithOurNumber) {
   hear(pb::GameState::STATE_PLAYING);
   open({.return_packets = true, .team_messages = true});
   say_until(to_bytes({.team = 14, .player = 3, .sender = 1}, clock.now_ns()), [&] { return !link->stopped().empty(); });
-  EXPECT_EQ(link->stopped(), "sending has stopped: " + text_of({kLoopback, mate->port()}) +
-                                 " also sends as our player; only one of us may");
+  EXPECT_EQ(link->stopped(),
+            "sending has stopped: " + text_of({kHere, mate->port()}) + " also sends as our player; only one of us may");
   while (next(*referee, kSecond / 10)) {
   }
   EXPECT_FALSE(next(*referee, 2 * kSecond)) << "no answers either";

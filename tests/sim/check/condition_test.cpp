@@ -23,7 +23,7 @@ bool holds_after(std::string_view text, const std::vector<float>& touches) {
   return watch.holds();
 }
 
-std::string refusal(std::string_view text) {
+std::string refused_condition(std::string_view text) {
   const auto condition = parse_condition(text);
   return condition ? "accepted" : condition.error();
 }
@@ -81,24 +81,30 @@ TEST(Condition, UnknownQuantitiesNeverPass) {
 }
 
 TEST(Condition, NamesTheError) {
-  EXPECT_EQ(refusal("our tuch"), "expected a happening or a quantity, got \"our tuch\"; did you mean 'our touch'?");
-  EXPECT_EQ(refusal("bal_x > 1"), "expected a happening or a quantity, got \"bal_x > 1\"; did you mean 'ball_x'?");
-  EXPECT_EQ(refusal("").find("expected a happening or a quantity, got \"\"; there are: our touch, their touch, "), 0u);
-  EXPECT_EQ(refusal("ball_x"), "ball_x is compared by < <= > >=, got \"\"");
-  EXPECT_EQ(refusal("ball_x > 99"), "the value for ball_x must be -15 .. 15 [m], got \"99\"");
-  EXPECT_EQ(refusal("ball_x > 1 s"), "expected 'and', 'or', 'then' or 'within', got \"s\"");
-  EXPECT_EQ(refusal("our touch within 5 m"), "expected 'and', 'or', 'then' or 'within', got \"m\"");
-  EXPECT_EQ(refusal("our touch within soon"), "the time behind 'within' must be 0 .. 3600 [s], got \"soon\"");
-  EXPECT_EQ(refusal("always our touch then our goal"), "'always' takes one fact, without 'then' and 'within'");
-  EXPECT_EQ(refusal("our touch our goal"), "expected 'and', 'or', 'then' or 'within', got \"our goal\"");
-  EXPECT_EQ(refusal(std::string(2000, 'x')), "must have at most 1000 bytes, got 2000");
+  EXPECT_EQ(refused_condition("our tuch"),
+            "expected a happening or a quantity, got \"our tuch\"; did you mean 'our touch'?");
+  EXPECT_EQ(refused_condition("bal_x > 1"),
+            "expected a happening or a quantity, got \"bal_x > 1\"; did you mean 'ball_x'?");
+  EXPECT_EQ(
+      refused_condition("").find("expected a happening or a quantity, got \"\"; there are: our touch, their touch, "),
+      0u);
+  EXPECT_EQ(refused_condition("ball_x"), "ball_x is compared by < <= > >=, got \"\"");
+  EXPECT_EQ(refused_condition("ball_x > 99"), "the value for ball_x must be -15 .. 15 [m], got \"99\"");
+  EXPECT_EQ(refused_condition("ball_x > 1 s"), "expected 'and', 'or', 'then' or 'within', got \"s\"");
+  EXPECT_EQ(refused_condition("our touch within 5 m"), "expected 'and', 'or', 'then' or 'within', got \"m\"");
+  EXPECT_EQ(refused_condition("our touch within soon"), "the time behind 'within' must be 0 .. 3600 [s], got \"soon\"");
+  EXPECT_EQ(refused_condition("always our touch then our goal"),
+            "'always' takes one fact, without 'then' and 'within'");
+  EXPECT_EQ(refused_condition("our touch our goal"), "expected 'and', 'or', 'then' or 'within', got \"our goal\"");
+  EXPECT_EQ(refused_condition(std::string(2000, 'x')), "must have at most 1000 bytes, got 2000");
 }
 
 TEST(Condition, EveryTruncationIsAcceptedOrRefusedWithASentence) {
   constexpr std::string_view kText =
       "not always ball_x > 1 m and our touch then our touch within 5 s or never their goal";
-  EXPECT_EQ(refusal(kText), "accepted");
-  for (std::size_t size = 0; size < kText.size(); ++size) EXPECT_NE(refusal(kText.substr(0, size)), "") << size;
+  EXPECT_EQ(refused_condition(kText), "accepted");
+  for (std::size_t size = 0; size < kText.size(); ++size)
+    EXPECT_NE(refused_condition(kText.substr(0, size)), "") << size;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ const Params& params() {
   return made.params;
 }
 
-std::string refusal(std::string_view text) {
+std::string refused_event(std::string_view text) {
   const auto event = parse_event(text, 4);
   return event ? "accepted" : event.error();
 }
@@ -46,7 +46,7 @@ TEST(Event, NamesARobotByTheNumberOfItsTeamWhereTheSituationNamesTheTeams) {
             "penalise: expected home/N, away/N, 14/N or 5/N, N from 1 to 4, got '7/3'");
   EXPECT_EQ(refused("at 5 s: penalise 14/5"),
             "penalise: expected home/N, away/N, 14/N or 5/N, N from 1 to 4, got '14/5'");
-  EXPECT_EQ(refusal("at 5 s: penalise 14/3"),
+  EXPECT_EQ(refused_event("at 5 s: penalise 14/3"),
             "penalise: expected home/N or away/N, N from 1 to 4, got '14/3'; the situation has no \"teams\"");
 }
 
@@ -84,14 +84,14 @@ TEST(Event, ThePlacedBallLiesThere) {
 TEST(Event, NamesTheError) {
   constexpr const char* kForm = "expected 'at TIME: ACTION' such as 'at 5 s: penalise home/3', got '";
   for (const char* wrong : {"", "at", "at 5 s", "penalise home/3", "5 s: penalise home/3"})
-    EXPECT_EQ(refusal(wrong), std::string(kForm) + wrong + "'");
-  EXPECT_EQ(refusal("at soon: ball at 1, 2"), "the time must be 0 .. 3600 [s], got \"soon\"");
-  EXPECT_EQ(refusal("at 5 s: dance"), "expected 'penalise home/N' or 'ball at X, Y', got 'dance'");
+    EXPECT_EQ(refused_event(wrong), std::string(kForm) + wrong + "'");
+  EXPECT_EQ(refused_event("at soon: ball at 1, 2"), "the time must be 0 .. 3600 [s], got \"soon\"");
+  EXPECT_EQ(refused_event("at 5 s: dance"), "expected 'penalise home/N' or 'ball at X, Y', got 'dance'");
   for (const char* wrong : {"home/5", "home/0", "ours/3", "home", "home/", "home/3x", "x4/3"})
-    EXPECT_EQ(refusal(std::string("at 5 s: penalise ") + wrong),
+    EXPECT_EQ(refused_event(std::string("at 5 s: penalise ") + wrong),
               std::string("penalise: expected home/N or away/N, N from 1 to 4, got '") + wrong + "'");
-  EXPECT_EQ(refusal("at 5 s: ball at 1"), "ball at: expected x, y in [m], got '1'");
-  EXPECT_EQ(refusal("at 5 s: ball at 1, far"), "ball at: y must be -20 .. 20 [m], got \"far\"");
+  EXPECT_EQ(refused_event("at 5 s: ball at 1"), "ball at: expected x, y in [m], got '1'");
+  EXPECT_EQ(refused_event("at 5 s: ball at 1, far"), "ball at: y must be -20 .. 20 [m], got \"far\"");
 }
 
 }  // namespace

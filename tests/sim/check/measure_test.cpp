@@ -27,7 +27,7 @@ std::optional<double> measured(std::string_view text) {
   return measure.value();
 }
 
-std::string refusal(std::string_view text) {
+std::string refused_metric(std::string_view text) {
   const auto metric = parse_metric(text);
   return metric ? "accepted" : metric.error();
 }
@@ -63,16 +63,16 @@ TEST(Measure, FlippedBytesAreAcceptedOrRefusedWithASentence) {
     for (int n = 0; n < 500; ++n) {
       std::string flipped = text;
       flipped[random() % flipped.size()] = static_cast<char>(random());
-      EXPECT_NE(refusal(flipped), "") << flipped;
+      EXPECT_NE(refused_metric(flipped), "") << flipped;
     }
 }
 
 TEST(Measure, NamesTheError) {
-  EXPECT_EQ(refusal("most bal_x"), "expected a happening or a quantity, got \"bal_x\"; did you mean 'ball_x'?");
-  EXPECT_EQ(refusal("most ball_x now"), "expected the end of the metric, got 'now'");
-  EXPECT_EQ(refusal("count of ball_x > 1"), "'count of' takes a happening, got a comparison");
-  EXPECT_EQ(refusal("time of our touch then our touch"), "expected the end of the metric, got 'then our touch'");
-  EXPECT_EQ(refusal(std::string(2000, 'x')), "must have at most 1000 bytes, got 2000");
+  EXPECT_EQ(refused_metric("most bal_x"), "expected a happening or a quantity, got \"bal_x\"; did you mean 'ball_x'?");
+  EXPECT_EQ(refused_metric("most ball_x now"), "expected the end of the metric, got 'now'");
+  EXPECT_EQ(refused_metric("count of ball_x > 1"), "'count of' takes a happening, got a comparison");
+  EXPECT_EQ(refused_metric("time of our touch then our touch"), "expected the end of the metric, got 'then our touch'");
+  EXPECT_EQ(refused_metric(std::string(2000, 'x')), "must have at most 1000 bytes, got 2000");
 }
 
 }  // namespace

@@ -15,11 +15,11 @@ namespace {
 using Strategies = std::vector<std::string>;
 
 /// Strategies that play on from some situation.
-struct Fixture {
+struct RaceFixture {
   io::Playbook playbook;
   Situation situation;
 
-  explicit Fixture(const Strategies& strategies, std::uint64_t seed = 5) {
+  explicit RaceFixture(const Strategies& strategies, std::uint64_t seed = 5) {
     auto prepared = io::prepare_playbook({.strategies = strategies});
     if (!prepared) {
       ADD_FAILURE() << prepared.error();
@@ -45,7 +45,7 @@ RolloutStatistics run(const Task& task, double budget) {
 }
 
 TEST(Race, TheSameBudgetGivesTheSameStatistics) {
-  const Fixture fixture({"baseline", "kick_now", "passing"});
+  const RaceFixture fixture({"baseline", "kick_now", "passing"});
   const RolloutStatistics one = run(fixture.task(), 60), other = run(fixture.task(), 60);
   EXPECT_EQ(std::memcmp(&one.gains, &other.gains, sizeof one.gains), 0);
   for (int i = 0; i < 3; ++i) {
@@ -55,7 +55,7 @@ TEST(Race, TheSameBudgetGivesTheSameStatistics) {
 }
 
 TEST(Race, AStrategyGainsNothingOverItself) {
-  const Fixture fixture({"baseline", "baseline,keeper_radius=0.7"});
+  const RaceFixture fixture({"baseline", "baseline,keeper_radius=0.7"});
   const RolloutStatistics statistics = run(fixture.task({.until = Until::horizon, .horizon = ticks(20)}), 40);
   ASSERT_EQ(statistics.stripes, 20);
   EXPECT_EQ(statistics.gains[1][1], 0);
@@ -64,7 +64,7 @@ TEST(Race, AStrategyGainsNothingOverItself) {
 }
 
 TEST(Race, EachRolloutCountsAgainstTheBudget) {
-  const Fixture fixture({"baseline", "kick_now", "passing", "align_first", "idle"});
+  const RaceFixture fixture({"baseline", "kick_now", "passing", "align_first", "idle"});
   for (const double budget : {1., 7., 45., 200.}) {
     const RolloutStatistics statistics = run(fixture.task(), budget);
     int played = 0;
@@ -75,7 +75,7 @@ TEST(Race, EachRolloutCountsAgainstTheBudget) {
 }
 
 TEST(Race, TheWorseHalfIsDroppedButNeverTheIncumbent) {
-  const Fixture fixture({"idle", "baseline", "kick_now", "passing", "align_first"});
+  const RaceFixture fixture({"idle", "baseline", "kick_now", "passing", "align_first"});
   const RolloutStatistics statistics = run(fixture.task({.horizon = ticks(20)}), 300);
   EXPECT_TRUE(statistics.by_strategy[0].racing);
   int racing = 0;
@@ -88,7 +88,7 @@ TEST(Race, TheWorseHalfIsDroppedButNeverTheIncumbent) {
 }
 
 TEST(Race, AStripeThatIsCutDoesNotCount) {
-  const Fixture fixture({"baseline", "kick_now"});
+  const RaceFixture fixture({"baseline", "kick_now"});
   // the budget ends within a rollout, after this many looks
   for (int looks = 1; looks < 40; looks += 3) {
     RolloutStatistics statistics, heard;
@@ -104,7 +104,7 @@ TEST(Race, AStripeThatIsCutDoesNotCount) {
 }
 
 TEST(Race, ReportsAfterEachStripe) {
-  const Fixture fixture({"baseline", "kick_now"});
+  const RaceFixture fixture({"baseline", "kick_now"});
   int told = 0;
   RolloutStatistics statistics;
   race(
@@ -113,7 +113,7 @@ TEST(Race, ReportsAfterEachStripe) {
 }
 
 TEST(Race, AllocatesNothing) {
-  const Fixture fixture({"baseline", "kick_now", "passing"});
+  const RaceFixture fixture({"baseline", "kick_now", "passing"});
   const Task task = fixture.task();
   const Spent spent = rollouts(30);
   const Told told = [](const RolloutStatistics&) {};
@@ -125,7 +125,7 @@ TEST(Race, AllocatesNothing) {
 
 TEST(Race, MeasuresAgree) {
   // until the next goal, the goal difference is one goal scored less one conceded
-  Fixture fixture({"baseline", "kick_now"});
+  RaceFixture fixture({"baseline", "kick_now"});
   place(fixture.situation.state.world.ball, {2.6f, 0.2f});
   Question question{.until = Until::next_goal, .horizon = ticks(60)};
   const RolloutStatistics goals = run(fixture.task(question), 60);
@@ -142,11 +142,11 @@ TEST(Race, MeasuresAgree) {
 }
 
 TEST(Race, LooksToTheRequestedHorizon) {
-  const Fixture fixture({"baseline"});
+  const RaceFixture fixture({"baseline"});
   const RolloutStatistics five = run(fixture.task({.horizon = ticks(5)}), 10);
   EXPECT_EQ(five.ticks, 10 * ticks(5));
 
-  Fixture late({"baseline"});
+  RaceFixture late({"baseline"});
   late.situation.state.book.clock = ticks(late.playbook.params.front().rules.half_duration - 4);
   const RolloutStatistics half = run(late.task({.until = Until::half}), 10);
   EXPECT_EQ(half.ticks, 10 * ticks(4)) << "the rest of the half";
@@ -156,7 +156,7 @@ TEST(Race, LooksToTheRequestedHorizon) {
 }
 
 TEST(Race, ALostGameDoesNotLookLikeAWonOne) {
-  const Fixture fixture({"idle", "baseline"});
+  const RaceFixture fixture({"idle", "baseline"});
   const RolloutStatistics statistics = run(fixture.task({.horizon = ticks(60)}), 120);
   EXPECT_GT(statistics.gains[1][1], 0);
 }
@@ -171,7 +171,7 @@ TEST(Race, TheAwaySideSeesItTheOtherWayRound) {
 }
 
 TEST(Race, KeepsPathsAndTheBallsHeat) {
-  const Fixture fixture({"baseline", "kick_now"});
+  const RaceFixture fixture({"baseline", "kick_now"});
   const RolloutStatistics statistics = run(fixture.task({.horizon = ticks(30)}), 20);
   for (const int i : {0, 1}) {
     for (const Path& path : statistics.by_strategy[i].paths) {
@@ -188,7 +188,7 @@ TEST(Race, KeepsPathsAndTheBallsHeat) {
 }
 
 TEST(Race, HalfTimeDoesNotTurnPathsAndHeatRound) {
-  Fixture fixture({"baseline"});
+  RaceFixture fixture({"baseline"});
   State& state = fixture.situation.state;
   state.book.half = 1;
   state.book.clock = ticks(fixture.playbook.params.front().rules.half_duration - 4);

@@ -12,12 +12,12 @@ namespace sim::io {
 namespace {
 
 /// Returns the sentence of an Error, or an empty text.
-std::string error_of(const std::string& name) {
+std::string error_of_models(const std::string& name) {
   const auto models = load_models(name);
   return models ? "" : models.error();
 }
 
-Models loaded(const std::string& name) {
+Models loaded_models(const std::string& name) {
   auto models = load_models(name);
   EXPECT_TRUE(models) << models.error();
   return std::move(models).value();
@@ -31,23 +31,24 @@ std::vector<bool> effects_of(const Models& models) {
 
 TEST(Models, EmbeddedModelsHaveTheirFilesNames) {
   EXPECT_EQ(listed(names_of("models")), "friendly, match, perfect");
-  for (const std::string_view name : names_of("models")) EXPECT_EQ(loaded(std::string(name)).name, name);
+  for (const std::string_view name : names_of("models")) EXPECT_EQ(loaded_models(std::string(name)).name, name);
 }
 
 TEST(Models, InPerfectEveryEffectIsOff) {
-  for (const bool effect : effects_of(loaded("perfect"))) EXPECT_FALSE(effect);
+  for (const bool effect : effects_of(loaded_models("perfect"))) EXPECT_FALSE(effect);
 }
 
 TEST(Models, RobotsFallAndHitPartlyInAMatchOnly) {
-  EXPECT_TRUE(loaded("match").effects.falls);
+  EXPECT_TRUE(loaded_models("match").effects.falls);
   for (const char* name : {"friendly", "perfect"}) {
-    EXPECT_FALSE(loaded(name).effects.falls) << name;
-    EXPECT_FALSE(loaded(name).effects.partial_hits) << name;
+    EXPECT_FALSE(loaded_models(name).effects.falls) << name;
+    EXPECT_FALSE(loaded_models(name).effects.partial_hits) << name;
   }
 }
 
 TEST(Models, FriendlyIsMatchWithSmallerErrors) {
-  const Models match = loaded("match"), friendly = loaded("friendly,falls=on,partial_hits=on,lost_pose=on,duels=on");
+  const Models match = loaded_models("match"),
+               friendly = loaded_models("friendly,falls=on,partial_hits=on,lost_pose=on,duels=on");
   EXPECT_EQ(effects_of(friendly), effects_of(match));
   ASSERT_EQ(friendly.motion.kick_count, match.motion.kick_count);
   for (int i = 0; i < match.motion.kick_count; ++i) {
@@ -62,11 +63,11 @@ TEST(Models, FriendlyIsMatchWithSmallerErrors) {
 
 TEST(Models, APrintedDescriptionReadsBackIdentically) {
   for (const char* name : {"friendly", "match", "perfect", "match,falls=off,walk.forward=0.1234567,radio.loss=0.7"}) {
-    const std::string printed = print_models(loaded(name));
+    const std::string printed = print_models(loaded_models(name));
     const auto again = parse_models(printed, "again");
     ASSERT_TRUE(again) << again.error();
     EXPECT_EQ(print_models(*again), printed);
-    EXPECT_EQ(again->motion.kick_count, loaded(name).motion.kick_count);
+    EXPECT_EQ(again->motion.kick_count, loaded_models(name).motion.kick_count);
   }
 }
 
@@ -89,11 +90,11 @@ TEST(Models, AChangedValueHasNoSource) {
 }
 
 TEST(Models, VariationsChangeOnlyTheNamedEntries) {
-  Models varied = loaded("match,falls=off,walk.forward=0.2,kicks.long.range=4");
+  Models varied = loaded_models("match,falls=off,walk.forward=0.2,kicks.long.range=4");
   EXPECT_EQ(varied.name, "match,falls=off,walk.forward=0.2,kicks.long.range=4");
   EXPECT_FALSE(varied.effects.falls);
   EXPECT_EQ(varied.motion.walk.forward, 0.2f);
-  const Models match = loaded("match");
+  const Models match = loaded_models("match");
   for (int i = 0; i < match.motion.kick_count; ++i) {
     const bool named = std::strcmp(match.motion.kicks[i].name, "long") == 0;
     EXPECT_EQ(varied.motion.kicks[i].range, named ? 4 : match.motion.kicks[i].range);
@@ -106,9 +107,9 @@ TEST(Models, VariationsChangeOnlyTheNamedEntries) {
 }
 
 TEST(Models, EveryEffectCanBeSwitchedByItsName) {
-  const Models match = loaded("match");
+  const Models match = loaded_models("match");
   Effects::visit(match.effects, [](const char* name, bool value, const char*, bool, bool) {
-    const Models varied = loaded(std::string("match,") + name + (value ? "=off" : "=on"));
+    const Models varied = loaded_models(std::string("match,") + name + (value ? "=off" : "=on"));
     Effects::visit(varied.effects, [&](const char* other, bool now, const char*, bool, bool) {
       EXPECT_TRUE(std::strcmp(name, other) != 0 || now != value) << name;
     });
@@ -116,25 +117,25 @@ TEST(Models, EveryEffectCanBeSwitchedByItsName) {
 }
 
 TEST(Models, NamesTheErrorInAVariation) {
-  EXPECT_EQ(error_of("mach"), "no models 'mach'; did you mean 'match'?");
-  EXPECT_EQ(error_of("match,walk.forward=9"),
+  EXPECT_EQ(error_of_models("mach"), "no models 'mach'; did you mean 'match'?");
+  EXPECT_EQ(error_of_models("match,walk.forward=9"),
             "models 'match,walk.forward=9': walk.forward must be 0.01 .. 3 [m/s], got 9");
-  EXPECT_EQ(error_of("match,falls=maybe"),
+  EXPECT_EQ(error_of_models("match,falls=maybe"),
             "models 'match,falls=maybe': effects.falls must be true or false, got \"maybe\"");
-  EXPECT_EQ(error_of("match,wlak.forward=0.2"),
+  EXPECT_EQ(error_of_models("match,wlak.forward=0.2"),
             "models 'match,wlak.forward=0.2': wlak is unknown; did you mean 'walk'?");
-  EXPECT_EQ(error_of("match,walk.foward=0.2"),
+  EXPECT_EQ(error_of_models("match,walk.foward=0.2"),
             "models 'match,walk.foward=0.2': walk.foward is unknown; did you mean 'forward'?");
-  EXPECT_EQ(error_of("match,fals=on"), "models 'match,fals=on': effects.fals is unknown; did you mean 'falls'?");
-  EXPECT_EQ(error_of("match,head.yaw=1"),
+  EXPECT_EQ(error_of_models("match,fals=on"), "models 'match,fals=on': effects.fals is unknown; did you mean 'falls'?");
+  EXPECT_EQ(error_of_models("match,head.yaw=1"),
             "models 'match,head.yaw=1': head.yaw is unknown; there are: yaw_limit, pitch_up, pitch_down, yaw_speed, "
             "pitch_speed");
   for (const char* wrong : {"falls", "falls=", "=on", "falls=on,falls=off", "walk..forward=1", "walk.forward.x=1"})
-    EXPECT_NE(error_of(std::string("match,") + wrong), "") << wrong;
-  EXPECT_EQ(error_of("match,falls"),
+    EXPECT_NE(error_of_models(std::string("match,") + wrong), "") << wrong;
+  EXPECT_EQ(error_of_models("match,falls"),
             "models 'match,falls': expected name=value behind a comma, once each, got 'falls'");
-  EXPECT_EQ(error_of("match:4"), "models 'match:4': models take no number behind a colon");
-  EXPECT_EQ(error_of("match,kicks.bicycle.range=3").substr(0, 69),
+  EXPECT_EQ(error_of_models("match:4"), "models 'match:4': models take no number behind a colon");
+  EXPECT_EQ(error_of_models("match,kicks.bicycle.range=3").substr(0, 69),
             "models 'match,kicks.bicycle.range=3': kicks.bicycle.ball_x is missing");
 }
 
@@ -156,11 +157,11 @@ TEST(Models, NamesTheErrorInADescription) {
 }
 
 TEST(Models, TooManyKicksAreRefused) {
-  std::string text = print_models(loaded("match"));
+  std::string text = print_models(loaded_models("match"));
   const std::string kick = text.substr(text.find("\"forward\": {", text.find("\"kicks\"")) + 11);
   const std::string one = kick.substr(0, kick.find("\n    }") + 6);
   std::string more;
-  for (int i = loaded("match").motion.kick_count; i <= motion::kMaxKicks; ++i)
+  for (int i = loaded_models("match").motion.kick_count; i <= motion::kMaxKicks; ++i)
     more += "\"kick" + std::to_string(i) + "\": " + one + ",";
   text.insert(text.find("\"forward\": {", text.find("\"kicks\"")), more);
   const auto models = parse_models(text, "mine");
@@ -169,8 +170,8 @@ TEST(Models, TooManyKicksAreRefused) {
 }
 
 TEST(Models, AFileIsFoundByItsPath) {
-  EXPECT_EQ(error_of("./no/such.json").substr(0, 26), "models './no/such.json': c");
-  EXPECT_EQ(error_of("nothing.json").substr(0, 22), "models 'nothing.json':");
+  EXPECT_EQ(error_of_models("./no/such.json").substr(0, 26), "models './no/such.json': c");
+  EXPECT_EQ(error_of_models("nothing.json").substr(0, 22), "models 'nothing.json':");
 }
 
 // not every size of the longer texts, to keep the test fast

@@ -8,12 +8,12 @@
 namespace sim::io {
 namespace {
 
-std::string error_of(const std::string& name) {
+std::string error_of_rules(const std::string& name) {
   const auto rules = load_rules(name);
   return rules ? "" : rules.error();
 }
 
-field::Rules loaded(const std::string& name) {
+field::Rules loaded_rules(const std::string& name) {
   const auto rules = load_rules(name);
   EXPECT_TRUE(rules) << rules.error();
   return *rules;
@@ -21,7 +21,7 @@ field::Rules loaded(const std::string& name) {
 
 TEST(Rules, AllYearsExist) {
   EXPECT_EQ(listed(names_of("rules")), "hsl2026, spl2012, spl2025");
-  const field::Rules then = loaded("spl2012"), now = loaded("spl2025");
+  const field::Rules then = loaded_rules("spl2012"), now = loaded_rules("spl2025");
   EXPECT_EQ(then.field.length, 6);
   EXPECT_EQ(then.field.width, 4);
   EXPECT_EQ(then.players, 4);
@@ -35,7 +35,7 @@ TEST(Rules, AllYearsExist) {
 }
 
 TEST(Rules, TheSmallDivisionOf2026IsThatOfTheLeaguesFiles) {
-  const field::Rules rules = loaded("hsl2026");
+  const field::Rules rules = loaded_rules("hsl2026");
   EXPECT_EQ(rules.players, 4);
   EXPECT_FLOAT_EQ(rules.field.length + rules.field.line_width, 9) << "to the outside of the lines";
   EXPECT_FLOAT_EQ(rules.field.width + rules.field.line_width, 6);
@@ -46,13 +46,14 @@ TEST(Rules, TheSmallDivisionOf2026IsThatOfTheLeaguesFiles) {
 }
 
 TEST(Rules, ANumberBehindTheNameIsTheNumberOfPlayers) {
-  EXPECT_EQ(loaded("spl2025:7").players, 7);
-  EXPECT_EQ(error_of("spl2025:8"), "rules 'spl2025:8': players must be a whole number, 1 .. 7 [robots], got 8");
-  EXPECT_EQ(error_of("spl2025:x"), "rules 'spl2025:x': players must be a whole number, 1 .. 7 [robots], got \"x\"");
+  EXPECT_EQ(loaded_rules("spl2025:7").players, 7);
+  EXPECT_EQ(error_of_rules("spl2025:8"), "rules 'spl2025:8': players must be a whole number, 1 .. 7 [robots], got 8");
+  EXPECT_EQ(error_of_rules("spl2025:x"),
+            "rules 'spl2025:x': players must be a whole number, 1 .. 7 [robots], got \"x\"");
 }
 
 TEST(Rules, VariationsChangeTheNamedEntries) {
-  const field::Rules rules = loaded("spl2012:2,half_duration=60,field.length=8,ball_out=set_play");
+  const field::Rules rules = loaded_rules("spl2012:2,half_duration=60,field.length=8,ball_out=set_play");
   EXPECT_EQ(rules.players, 2);
   EXPECT_EQ(rules.half_duration, 60);
   EXPECT_EQ(rules.field.length, 8);
@@ -61,23 +62,24 @@ TEST(Rules, VariationsChangeTheNamedEntries) {
 }
 
 TEST(Rules, NamesTheError) {
-  EXPECT_EQ(error_of("spl2011"), "no rules 'spl2011'; did you mean 'spl2012'?");
-  EXPECT_EQ(error_of("spl2012,halves=0"), "rules 'spl2012,halves=0': halves must be a whole number, 1 .. 4, got 0");
-  EXPECT_EQ(error_of("spl2012,ball_out=gone"),
+  EXPECT_EQ(error_of_rules("spl2011"), "no rules 'spl2011'; did you mean 'spl2012'?");
+  EXPECT_EQ(error_of_rules("spl2012,halves=0"),
+            "rules 'spl2012,halves=0': halves must be a whole number, 1 .. 4, got 0");
+  EXPECT_EQ(error_of_rules("spl2012,ball_out=gone"),
             "rules 'spl2012,ball_out=gone': ball_out must be \"placed_back\" or \"set_play\", got \"gone\"");
   EXPECT_EQ(
-      error_of("spl2012,field.goal_area_width=5"),
+      error_of_rules("spl2012,field.goal_area_width=5"),
       "rules 'spl2012,field.goal_area_width=5': field.goal_area_width must be at most 4 [m] on this field, got 5");
   EXPECT_EQ(parse_rules(R"({"name": "mine"})", "rules 'mine'").error(), "rules 'mine': field is missing");
 }
 
 TEST(Rules, APrintedDescriptionReadsBackIdentically) {
   for (const char* name : {"spl2012", "spl2025:7", "hsl2026", "spl2012,half_duration=61.7,illegal_defender=off"}) {
-    const std::string printed = print_rules(loaded(name), "mine");
+    const std::string printed = print_rules(loaded_rules(name), "mine");
     const auto again = parse_rules(printed, "again");
     ASSERT_TRUE(again) << again.error();
     EXPECT_EQ(print_rules(*again, "mine"), printed);
-    EXPECT_EQ(again->ball_out, loaded(name).ball_out);
+    EXPECT_EQ(again->ball_out, loaded_rules(name).ball_out);
   }
 }
 

@@ -33,7 +33,7 @@ std::string saved(const std::string& when, const std::vector<State>& states, con
   return moment->text();
 }
 
-std::string error_of(const std::string& when) {
+std::string error_of_moment(const std::string& when) {
   const auto moment = SavedMoment::parse(when);
   return moment ? "" : moment.error();
 }
@@ -93,8 +93,8 @@ TEST(SavedMoment, NamesTheError) {
       "got ";
   for (const char* wrong : {"", "soon", "-1", "36001", "nan", "1e9", "5 s", "0:00:10", "5:00:10", "1:00", "1:00:60",
                             "1:-1:00", "1:00:-5", "1:00:10x", "1:00:10:5", ":::"})
-    EXPECT_EQ(error_of(wrong), expected + "'" + wrong + "'");
-  for (const char* right : {"0", "312", "31.5", "1:00:00", "2:9:59.5", "36000"}) EXPECT_EQ(error_of(right), "");
+    EXPECT_EQ(error_of_moment(wrong), expected + "'" + wrong + "'");
+  for (const char* right : {"0", "312", "31.5", "1:00:00", "2:9:59.5", "36000"}) EXPECT_EQ(error_of_moment(right), "");
 }
 
 }  // namespace

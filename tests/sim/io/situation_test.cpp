@@ -22,7 +22,7 @@ State parsed(std::string_view text) {
   return *state;
 }
 
-std::string error_of(std::string_view text) {
+std::string error_of_situation(std::string_view text) {
   const auto state = parse_situation(text, "situation 'duel'", setup().params);
   return state ? "" : state.error();
 }
@@ -56,11 +56,11 @@ TEST(Situation, EqualsItsDescription) {
 TEST(Situation, TheNumbersOfTheTeamsChangeNothing) {
   const std::string numbered = std::string(R"({"teams": {"home": 14, "away": 5}, )") + std::string(kDuel.substr(4));
   EXPECT_EQ(save_situation(parsed(numbered)), save_situation(parsed(kDuel)));
-  EXPECT_EQ(error_of(R"({"teams": {"home": 14, "away": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
+  EXPECT_EQ(error_of_situation(R"({"teams": {"home": 14, "away": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
             "situation 'duel': teams must have different numbers, got 14 twice");
-  EXPECT_EQ(error_of(R"({"teams": {"home": 0, "away": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
+  EXPECT_EQ(error_of_situation(R"({"teams": {"home": 0, "away": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
             "situation 'duel': teams.home must be a whole number, 1 .. 999, got 0");
-  EXPECT_EQ(error_of(R"({"teams": {"home": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
+  EXPECT_EQ(error_of_situation(R"({"teams": {"home": 14}, "ball": {"x": 0, "y": 0}, "robots": []})"),
             "situation 'duel': teams.away is missing, expected 1 .. 999");
 }
 
@@ -69,9 +69,9 @@ TEST(Situation, TheClockMayBeTheTimeThatRemains) {
     return "{" + entry + R"("ball": {"x": 0, "y": 0}, "robots": [{"side": "home", "player": 2, "x": 1, "y": 1}]})";
   };
   EXPECT_EQ(parsed(with(R"("remaining": 200, )")).book.clock, ticks(400));
-  EXPECT_EQ(error_of(with(R"("remaining": 601, )")),
+  EXPECT_EQ(error_of_situation(with(R"("remaining": 601, )")),
             "situation 'duel': remaining must be at most 600 [s] by these rules, got 601");
-  EXPECT_EQ(error_of(with(R"("remaining": 200, "clock": 400, )")),
+  EXPECT_EQ(error_of_situation(with(R"("remaining": 200, "clock": 400, )")),
             "situation 'duel': expected clock or remaining, got both");
 }
 
@@ -121,21 +121,23 @@ TEST(Situation, ASavedSituationReadsBackIdentically) {
 }
 
 TEST(Situation, NamesTheError) {
-  EXPECT_EQ(error_of("{}"), "situation 'duel': ball is missing");
-  EXPECT_EQ(error_of(R"({"ball": {"x": 1}, "robots": []})"), "situation 'duel': ball.y is missing, expected -20 .. 20");
-  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0, "z": 0}, "robots": []})"),
+  EXPECT_EQ(error_of_situation("{}"), "situation 'duel': ball is missing");
+  EXPECT_EQ(error_of_situation(R"({"ball": {"x": 1}, "robots": []})"),
+            "situation 'duel': ball.y is missing, expected -20 .. 20");
+  EXPECT_EQ(error_of_situation(R"({"ball": {"x": 0, "y": 0, "z": 0}, "robots": []})"),
             "situation 'duel': ball.z is unknown; there are: x, y, velocity_x, velocity_y");
-  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0}, "robots": {}})"), "situation 'duel': robots must be a list, got {}");
-  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0}, "robots": [], "seed": -1})"),
+  EXPECT_EQ(error_of_situation(R"({"ball": {"x": 0, "y": 0}, "robots": {}})"),
+            "situation 'duel': robots must be a list, got {}");
+  EXPECT_EQ(error_of_situation(R"({"ball": {"x": 0, "y": 0}, "robots": [], "seed": -1})"),
             "situation 'duel': seed must be a whole number from 0, got -1");
-  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0}, "robots": [], "phase": "paused"})"),
+  EXPECT_EQ(error_of_situation(R"({"ball": {"x": 0, "y": 0}, "robots": [], "phase": "paused"})"),
             "situation 'duel': phase must be one of initial, ready, set, playing, finished, got \"paused\"");
-  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0}, "robots": [], "half": 3})"),
+  EXPECT_EQ(error_of_situation(R"({"ball": {"x": 0, "y": 0}, "robots": [], "half": 3})"),
             "situation 'duel': half must be at most 2 by these rules, got 3");
-  EXPECT_EQ(error_of(R"({"ball": {"x": 0, "y": 0}, "robots": [], "clock": 601})"),
+  EXPECT_EQ(error_of_situation(R"({"ball": {"x": 0, "y": 0}, "robots": [], "clock": 601})"),
             "situation 'duel': clock must be at most 600 [s] by these rules, got 601");
   const auto robots = [](const std::string& list) {
-    return error_of(R"({"ball": {"x": 0, "y": 0}, "robots": [)" + list + "]}");
+    return error_of_situation(R"({"ball": {"x": 0, "y": 0}, "robots": [)" + list + "]}");
   };
   const std::string one = R"({"side": "home", "player": 1, "x": 0, "y": 0})";
   EXPECT_EQ(robots(one), "");
@@ -149,7 +151,8 @@ TEST(Situation, NamesTheError) {
 }
 
 TEST(Situation, EveryTruncationIsRefused) {
-  for (std::size_t size = 0; size < kDuel.size(); ++size) EXPECT_NE(error_of(kDuel.substr(0, size)), "") << size;
+  for (std::size_t size = 0; size < kDuel.size(); ++size)
+    EXPECT_NE(error_of_situation(kDuel.substr(0, size)), "") << size;
 }
 
 TEST(Situation, TurnedGivesEachSideTheMomentOfTheOther) {

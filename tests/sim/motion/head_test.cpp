@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "tests/sim/motion/arena.h"
+#include "tests/sim/motion/dice.h"
 
 namespace sim::motion {
 namespace {
@@ -25,13 +25,6 @@ Command look_to(float x, float y, float z) {
   command.look[0] = x, command.look[1] = y, command.look[2] = z;
   return command;
 }
-
-struct Dice {
-  std::mt19937 engine;
-  float between(float least, float most) {
-    return least + (most - least) * static_cast<float>(engine() >> 8) * 0x1p-24f;
-  }
-};
 
 TEST(Head, StaysWithinItsLimitsAndSpeedAndOffTheShoulders) {
   Dice dice{std::mt19937(1)};

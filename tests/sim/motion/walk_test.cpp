@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "sim/motion/rhythm.h"
 #include "tests/sim/motion/arena.h"
+#include "tests/sim/motion/dice.h"
 
 namespace sim::motion {
 namespace {
@@ -15,13 +15,6 @@ using Doing = Body::Doing;
 
 // how far from its destination a body may stop: the tolerance and the stopping distance
 constexpr float kTolerance = 0.02f;
-
-struct Dice {
-  std::mt19937 engine;
-  float between(float least, float most) {
-    return least + (most - least) * static_cast<float>(engine() >> 8) * 0x1p-24f;
-  }
-};
 
 Command random_speed(Dice& dice) {
   const float x = dice.between(-0.4f, 0.4f);

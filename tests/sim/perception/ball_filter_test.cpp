@@ -20,7 +20,7 @@ Scene watching_scene(std::uint64_t seed) {
   return scene;
 }
 
-float error_of(const Scene& scene) { return distance(scene.beliefs.ball.position, scene.world.ball.position); }
+float miss_of(const Scene& scene) { return distance(scene.beliefs.ball.position, scene.world.ball.position); }
 
 TEST(BallFilter, UncertaintyGrowsUnseenAndAPerceptReducesIt) {
   Scene scene = watching_scene(1);
@@ -107,7 +107,7 @@ TEST(BallFilter, ErrorsMatchTheirBelievedVariance) {
     scene.place_ball({0.6f + 0.012f * static_cast<float>(seed), 0.1f});
     for (int i = 0; i < 60; ++i) {
       scene.perceive();
-      const float error = error_of(scene);
+      const float error = miss_of(scene);
       sum += error * error / (2 * scene.beliefs.ball.variance);
       ++images;
     }
@@ -174,11 +174,11 @@ TEST(BallFilter, OneFalsePerceptDoesNotThrowAGoodTrackAway) {
   const Tick seen = ball.seen;
   const BallPercept elsewhere{.seen = true, .position = {3, 1.5f}};
   update(scene.params(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
-  EXPECT_LT(error_of(scene), 0.15f);
+  EXPECT_LT(miss_of(scene), 0.15f);
   EXPECT_EQ(ball.seen, seen);
   EXPECT_FALSE(ball.visible);
   for (int i = 0; i < 3; ++i) scene.perceive();
-  EXPECT_LT(error_of(scene), 0.2f);
+  EXPECT_LT(miss_of(scene), 0.2f);
 }
 
 TEST(BallFilter, TwoPerceptsElsewhereAreBelieved) {

@@ -8,7 +8,7 @@ namespace sim::referee {
 namespace {
 
 /// One case of a ball that leaves the field, from the rule books.
-struct Case {
+struct BallOutCase {
   const char* what;
   bool in_2025;
   Side last;
@@ -19,7 +19,7 @@ struct Case {
 
 TEST(BallOut, FollowsTheRulesOfTheYear) {
   const Side home = Side::home, away = Side::away;
-  const Case cases[] = {
+  const BallOutCase cases[] = {
       {"2012 touch line by home: 1 m back", false, home, {1, 1.9f}, {1, 2.1f}, {"out home"}, {0, 1.6f}},
       {"2012 touch line by away: 1 m back", false, away, {1, -1.9f}, {1, -2.1f}, {"out away"}, {2, -1.6f}},
       {"2012 back, but not into the corner", false, home, {-2.5f, 1.9f}, {-2.5f, 2.1f}, {"out home"}, {-2, 1.6f}},
@@ -34,7 +34,7 @@ TEST(BallOut, FollowsTheRulesOfTheYear) {
       {"2025 other goal line by away", true, away, {-4.4f, -2}, {-4.6f, -2}, {"goal kick home"}, {-3.9f, -1.1f}},
       {"2025 own goal line by away", true, away, {4.4f, -2}, {4.6f, -2}, {"corner kick home"}, {4.5f, -3}},
   };
-  for (const Case& at : cases) {
+  for (const BallOutCase& at : cases) {
     Scene scene(at.in_2025 ? rules_2025() : rules_2012());
     scene.start_play();
     scene.carry(at.last, 2, at.from, at.to);

@@ -12,8 +12,8 @@
 namespace robot::body {
 namespace {
 
-constexpr std::uint64_t kStart = 1'700'000'000 * kSecond;
-constexpr std::uint64_t at(std::uint64_t i) { return kStart + i * 10 * kMillisecond; }
+constexpr std::uint64_t kFirst_ns = 1'700'000'000 * kSecond;
+constexpr std::uint64_t at(std::uint64_t i) { return kFirst_ns + i * 10 * kMillisecond; }
 
 /// 300 messages "0" to "299" of "/14/2/fast", every 10 ms, and each third of "/14/2/slow".
 struct Topics : ::testing::Test {
@@ -92,7 +92,7 @@ TEST_P(EachRecording, PlaysEveryMessageOfTheWatchedTopicsAtItsOwnTime) {
   EXPECT_EQ(other->newest()->sequence(), 100u);
   EXPECT_EQ(channel->newest()->capture_ns(), at(299));
   // the recording's shared playback did not move
-  EXPECT_EQ(replay->clock().now_ns(), kStart);
+  EXPECT_EQ(replay->clock().now_ns(), kFirst_ns);
 }
 
 TEST_F(Topics, TwoPlayheadsOfARecordingAreIndependent) {

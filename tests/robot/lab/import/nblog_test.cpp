@@ -27,7 +27,7 @@ std::vector<float> twenty_six_angles() {
   return angles;
 }
 
-std::string small_file(std::string_view inertial_values = "(acc_x 1.0) (angle_x 0.1)") {
+std::string small_log(std::string_view inertial_values = "(acc_x 1.0) (angle_x 0.1)") {
   NblogWriter writer;
   writer.block("YUVImage", "camera_TOP", 1000, "(width 4) (height 2) (encoding \"[Y8(U8/V8)]\")", "0123456789abcdef");
   writer.block("InertialState", "robot", 1000, inertial_values, tests::float_fields(kInertial));
@@ -37,7 +37,7 @@ std::string small_file(std::string_view inertial_values = "(acc_x 1.0) (angle_x 
 
 TEST(Nblog, PassesEachBlockOnWithItsTime) {
   RecordingSink sink;
-  const auto report = import_nblog(small_file(), 7, sink);
+  const auto report = import_nblog(small_log(), 7, sink);
   ASSERT_TRUE(report) << report.error();
   EXPECT_EQ(report->damage, "");
   EXPECT_EQ(report->warnings, std::vector<std::string>());
@@ -50,7 +50,7 @@ TEST(Nblog, PassesEachBlockOnWithItsTime) {
 
 TEST(Nblog, TurnsInertialValuesIntoSiUnitsAndLeavesTheGyroscopeOut) {
   RecordingSink sink;
-  ASSERT_TRUE(import_nblog(small_file(), 0, sink));
+  ASSERT_TRUE(import_nblog(small_log(), 0, sink));
   const auto& inertial = *sink.of<pb::Inertial>("inertial").at(0);
   EXPECT_NEAR(inertial.accelerometer_z(), 9.806, 1e-3);
   EXPECT_LT(inertial.accelerometer_x(), 0);
@@ -61,7 +61,7 @@ TEST(Nblog, TurnsInertialValuesIntoSiUnitsAndLeavesTheGyroscopeOut) {
 
 TEST(Nblog, PutsJointsIntoOurOrder) {
   RecordingSink sink;
-  ASSERT_TRUE(import_nblog(small_file(), 0, sink));
+  ASSERT_TRUE(import_nblog(small_log(), 0, sink));
   const auto& joints = *sink.of<pb::Joints>("joints").at(0);
   ASSERT_EQ(joints.position_size(), 25);
   EXPECT_FLOAT_EQ(joints.position(0), 0);      // head yaw
@@ -75,7 +75,7 @@ TEST(Nblog, PutsJointsIntoOurOrder) {
 
 TEST(Nblog, SaysWhereHeaderAndPayloadDisagree) {
   RecordingSink sink;
-  const auto report = import_nblog(small_file("(acc_x 1.5)"), 0, sink);
+  const auto report = import_nblog(small_log("(acc_x 1.5)"), 0, sink);
   ASSERT_TRUE(report);
   EXPECT_EQ(report->warnings,
             std::vector<std::string>{"the header says acc_x 1.500000, the payload 1.000000; the payload is taken"});
@@ -105,7 +105,7 @@ TEST(Nblog, LeavesOutUnknownBlocks) {
 
 TEST(Nblog, RefusesOtherVersionsAndOtherFiles) {
   RecordingSink sink;
-  std::string file = small_file();
+  std::string file = small_log();
   file.replace(file.find("version 7"), 9, "version 6");
   EXPECT_FALSE(import_nblog(file, 0, sink));
   EXPECT_FALSE(import_nblog("", 0, sink));
@@ -115,13 +115,13 @@ TEST(Nblog, RefusesOtherVersionsAndOtherFiles) {
 
 TEST(Nblog, EndsWithTheErrorOfTheSink) {
   tests::FullSink sink;
-  const auto report = import_nblog(small_file(), 0, sink);
+  const auto report = import_nblog(small_log(), 0, sink);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error(), "disk full");
 }
 
 TEST(Nblog, EveryTruncationGivesTheBlocksBeforeItAndNamesTheDamage) {
-  const std::string file = small_file();
+  const std::string file = small_log();
   RecordingSink whole;
   ASSERT_TRUE(import_nblog(file, 0, whole));
   const std::size_t payload = file.find("0123456789abcdef");
@@ -136,7 +136,7 @@ TEST(Nblog, EveryTruncationGivesTheBlocksBeforeItAndNamesTheDamage) {
 }
 
 TEST(Nblog, SurvivesEveryFlippedByte) {
-  const std::string file = small_file();
+  const std::string file = small_log();
   for (std::size_t i = 0; i < file.size(); ++i) {
     for (const int mask : {0xff, 0x80, 0x01}) {
       std::string flipped = file;

@@ -8,7 +8,7 @@
 namespace robot::logging {
 namespace {
 
-constexpr std::uint64_t kNow = 1'764'000'000 * kSecond;
+constexpr std::uint64_t kToday = 1'764'000'000 * kSecond;
 
 /// Returns the span of a file with messages at these times, in chunks of `chunk` messages.
 TimeSpan span_of(const std::vector<std::uint64_t>& times_ns, std::size_t chunk) {
@@ -24,18 +24,19 @@ TimeSpan span_of(const std::vector<std::uint64_t>& times_ns, std::size_t chunk) 
 }
 
 TEST(TimeSpan, IsFromTheFirstMessageToTheLast) {
-  const TimeSpan span = span_of({kNow + 2, kNow, kNow + kSecond}, 2);
-  EXPECT_EQ(span.start_ns, kNow);
-  EXPECT_EQ(span.end_ns, kNow + kSecond);
+  const TimeSpan span = span_of({kToday + 2, kToday, kToday + kSecond}, 2);
+  EXPECT_EQ(span.start_ns, kToday);
+  EXPECT_EQ(span.end_ns, kToday + kSecond);
   EXPECT_EQ(span.note(), "");
   EXPECT_EQ(span_of({}, 1).end_ns, 0u);
 }
 
 TEST(TimeSpan, LeavesOutMessagesThatWouldStretchItToDecades) {
   for (const std::size_t chunk : {1u, 3u, 100u}) {
-    const TimeSpan span = span_of({0, 5, kNow, kNow + 1, kNow + 2, kNow + kSecond, std::uint64_t{1} << 63}, chunk);
-    EXPECT_EQ(span.start_ns, kNow);
-    EXPECT_EQ(span.end_ns, kNow + kSecond);
+    const TimeSpan span =
+        span_of({0, 5, kToday, kToday + 1, kToday + 2, kToday + kSecond, std::uint64_t{1} << 63}, chunk);
+    EXPECT_EQ(span.start_ns, kToday);
+    EXPECT_EQ(span.end_ns, kToday + kSecond);
     EXPECT_EQ(span.note(),
               "2 messages before 2025-11-24 16:00:00 UTC and 1 message after 2025-11-24 16:00:01 UTC left out of the "
               "strip, because more than 30 days lie between");
@@ -44,7 +45,7 @@ TEST(TimeSpan, LeavesOutMessagesThatWouldStretchItToDecades) {
 
 TEST(TimeSpan, OfARecordingIn1970IsIn1970) {
   EXPECT_EQ(span_of({0, 5, 7}, 1).end_ns, 7u);
-  EXPECT_EQ(span_of({0, 5, 7, kNow}, 1).end_ns, 7u);
+  EXPECT_EQ(span_of({0, 5, 7, kToday}, 1).end_ns, 7u);
 }
 
 }  // namespace

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "robot/core/clock.h"
+#include "tests/support/times.h"
 
 namespace robot::logging {
 namespace {
 
-constexpr std::uint64_t kHour = 3600 * kSecond;
-constexpr std::uint64_t kNow = 1'700'000'000 * kSecond;
+using tests::kHour, tests::kNow;
+
 constexpr std::uint64_t kIn1970 = 300 * kSecond;
 
 /// A session of ten minutes that ended `age_ns` before kNow, with files of that time.

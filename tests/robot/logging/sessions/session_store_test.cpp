@@ -14,14 +14,14 @@
 #include "robot/logging/sessions/session_writer.h"
 #include "tests/support/eventually.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/times.h"
 
 namespace robot::logging {
 namespace {
 
-namespace fs = std::filesystem;
+using tests::kHour, tests::kNow;
 
-constexpr std::uint64_t kNow = 1'700'000'000 * kSecond;
-constexpr std::uint64_t kHour = 3600 * kSecond;
+namespace fs = std::filesystem;
 
 /// Sets the time of all files below `folder` to long ago, so that they look as old as the session is.
 void age(const fs::path& folder) {

@@ -11,8 +11,6 @@
 namespace robot::nao {
 namespace {
 
-constexpr std::uint64_t kCycle_ns = 12'000'000;
-
 struct NaoGuardian : ::testing::Test {
   tests::FakeBody body;
   Guardian guardian;
@@ -21,7 +19,7 @@ struct NaoGuardian : ::testing::Test {
   std::uint64_t now_ns = 1'000'000'000;
 
   const Actuators& cycle(Cycle extra = {}) {
-    extra.now_ns = now_ns += kCycle_ns;
+    extra.now_ns = now_ns += tests::kCycle_ns;
     extra.sensors = &body.sensors;
     if (alive) extra.order = &order;
     const Actuators& answer = guardian.step(extra);
@@ -453,7 +451,7 @@ TEST_F(NaoGuardian, HoldsThenSitsWhenFramesCannotBeRead) {
   play();
   const auto blind = [&](double seconds) {
     for (double passed = 0; passed < seconds; passed += 0.012) {
-      const Actuators& answer = guardian.step({.now_ns = now_ns += kCycle_ns, .order = &order});
+      const Actuators& answer = guardian.step({.now_ns = now_ns += tests::kCycle_ns, .order = &order});
       body.obey(answer, 0.012f);
     }
   };

@@ -7,8 +7,6 @@
 namespace robot::nao {
 namespace {
 
-constexpr std::uint64_t kCycle_ns = 12'000'000;
-
 struct NaoTouches : ::testing::Test {
   tests::FakeBody body;
   Touches touches;
@@ -18,7 +16,7 @@ struct NaoTouches : ::testing::Test {
   bool see(int cycles) {
     bool clicked = false;
     for (int i = 0; i < cycles; ++i) {
-      touches.see(body.sensors, now_ns += kCycle_ns);
+      touches.see(body.sensors, now_ns += tests::kCycle_ns);
       clicked = clicked || touches.clicked();
     }
     return clicked;

@@ -7,15 +7,13 @@
 namespace robot::nao {
 namespace {
 
-constexpr std::uint64_t kCycle_ns = 12'000'000;
-
 struct NaoWatch : ::testing::Test {
   tests::FakeBody body;
   Watch watch;
   std::uint64_t now_ns = 0;
 
   void see(float seconds = 0) {
-    do watch.see(body.sensors, now_ns += kCycle_ns);
+    do watch.see(body.sensors, now_ns += tests::kCycle_ns);
     while ((seconds -= 0.012f) > 0);
   }
 };

@@ -58,7 +58,7 @@ TEST_F(DerivedChannelsTest, BelongToImagesAndLogTextsOnly) {
 TEST_F(DerivedChannelsTest, RawImagesHoldThePixels) {
   const auto bytes = converter(0)(*version(yuyv(8, 4), 3 * kSecond + 7));
   ASSERT_TRUE(bytes && *bytes);
-  foxglove::RawImage raw;
+  ::foxglove::RawImage raw;
   ASSERT_TRUE(raw.ParseFromString(**bytes));
   EXPECT_EQ(raw.timestamp().seconds(), 3);
   EXPECT_EQ(raw.timestamp().nanos(), 7);
@@ -74,7 +74,7 @@ TEST_F(DerivedChannelsTest, JpegsFollowTheParameters) {
   const Convert convert = converter(1);
   const auto width = [&](std::uint64_t capture_ns) {
     const auto bytes = convert(*version(yuyv(640, 480), capture_ns));
-    foxglove::CompressedImage image;
+    ::foxglove::CompressedImage image;
     EXPECT_TRUE(bytes && *bytes && image.ParseFromString(**bytes));
     EXPECT_EQ(image.format(), "jpeg");
     const auto pixels = image::decode_jpeg(image.data());
@@ -106,7 +106,7 @@ TEST_F(DerivedChannelsTest, ARecordedJpegPassesAsItIs) {
   image.set_encoding(foresight::Image::ENCODING_JPEG);
   image.set_data("a jpeg");
   const auto bytes = converter(1)(*version(image, kSecond));
-  foxglove::CompressedImage compressed;
+  ::foxglove::CompressedImage compressed;
   ASSERT_TRUE(bytes && *bytes && compressed.ParseFromString(**bytes));
   EXPECT_EQ(compressed.data(), "a jpeg");
   EXPECT_FALSE(converter(0)(*version(image, kSecond)));  // it has no pixels
@@ -129,9 +129,9 @@ TEST_F(DerivedChannelsTest, LogTextsKeepTheirLevel) {
   text.set_source("logging");
   const auto derived = derived_channels(info_of<foresight::LogText>("/14/2/log"), parameters);
   const auto bytes = derived.at(0).make_convert()(*version(text, kSecond));
-  foxglove::Log log;
+  ::foxglove::Log log;
   ASSERT_TRUE(bytes && *bytes && log.ParseFromString(**bytes));
-  EXPECT_EQ(log.level(), foxglove::Log::WARNING);
+  EXPECT_EQ(log.level(), ::foxglove::Log::WARNING);
   EXPECT_EQ(log.message(), "the disk is nearly full");
   EXPECT_EQ(log.name(), "logging");
 }

@@ -19,10 +19,10 @@ using tests::ScriptedServer;
 using tests::server_frame;
 
 /// A bound for failures only: no test waits for it when all is well.
-constexpr std::uint64_t kPatience = 60 * kSecond;
+constexpr std::uint64_t kConnectPatience = 60 * kSecond;
 
 /// Returns the next message as "opcode:payload", "nothing", or the sentence without the address.
-std::string next(WebSocketClient& client, std::uint64_t patience_ns = kPatience) {
+std::string next(WebSocketClient& client, std::uint64_t patience_ns = kConnectPatience) {
   const auto message = client.receive(monotonic_ns() + patience_ns);
   if (!message) return message.error().substr(std::min(message.error().find("/: ") + 3, message.error().size()));
   if (!*message) return "nothing";
@@ -36,13 +36,13 @@ std::string said_of(const std::string& bytes) {
     peer.wait_closed();
   });
   WebSocketClient client;
-  EXPECT_TRUE(client.connect(server.url(), kPatience));
+  EXPECT_TRUE(client.connect(server.url(), kConnectPatience));
   return next(client);
 }
 
 /// Returns the sentence of connect() for a server that answers the request with `answer(response)`.
 template <class Answer>
-std::string refused_by(Answer&& answer, std::uint64_t patience_ns = kPatience) {
+std::string refused_by(Answer&& answer, std::uint64_t patience_ns = kConnectPatience) {
   ScriptedServer server([&](ScriptedPeer& peer) { peer.send(answer(peer.read_request())); });
   WebSocketClient client;
   const auto connected = client.connect(server.url() + "?token=secret", patience_ns);
@@ -64,7 +64,7 @@ TEST(WebSocketClient, CarriesMessagesOfEverySizeBothWays) {
       peer.send(server_frame(Opcode{static_cast<std::uint8_t>(frame[0] - '0')}, frame.substr(2)));
   });
   WebSocketClient client;
-  ASSERT_TRUE(client.connect(server.url(), kPatience));
+  ASSERT_TRUE(client.connect(server.url(), kConnectPatience));
   for (const std::size_t size : {0u, 1u, 125u, 126u, 1536u, 65535u, 65536u, 65537u, 5'000'000u})
     for (const Opcode opcode : {Opcode::text, Opcode::binary}) {
       const std::string payload(size, 'x');
@@ -80,7 +80,7 @@ TEST(WebSocketClient, ReadsFramesThatComeWithTheHandshake) {
     peer.wait_closed();
   });
   WebSocketClient client;
-  ASSERT_TRUE(client.connect(server.url(), kPatience));
+  ASSERT_TRUE(client.connect(server.url(), kConnectPatience));
   EXPECT_EQ(next(client), "2:" + large);
   EXPECT_EQ(next(client), "1:two");
 }
@@ -95,7 +95,7 @@ TEST(WebSocketClient, AnswersAPingBetweenFragments) {
     peer.wait_closed();
   });
   WebSocketClient client;
-  ASSERT_TRUE(client.connect(server.url(), kPatience));
+  ASSERT_TRUE(client.connect(server.url(), kConnectPatience));
   EXPECT_EQ(next(client), "1:Hello");
   EXPECT_EQ(pong.get_future().get(), "10:between");
 }
@@ -109,7 +109,7 @@ TEST(WebSocketClient, ReturnsNothingAfterTheServersGoodbye) {
     peer.wait_closed();  // the server leaves the socket open
   });
   WebSocketClient client;
-  ASSERT_TRUE(client.connect(server.url(), kPatience));
+  ASSERT_TRUE(client.connect(server.url(), kConnectPatience));
   EXPECT_EQ(next(client), "1:last");
   EXPECT_FALSE(client.closed());
   EXPECT_EQ(next(client), "nothing");
@@ -124,7 +124,7 @@ TEST(WebSocketClient, ReturnsNothingAfterTheServersGoodbye) {
 TEST(WebSocketClient, KnowsAGoodbyeWithoutACode) {
   ScriptedServer server([](ScriptedPeer& peer) { peer.send(peer.read_request() + server_frame(Opcode::close, "")); });
   WebSocketClient client;
-  ASSERT_TRUE(client.connect(server.url(), kPatience));
+  ASSERT_TRUE(client.connect(server.url(), kConnectPatience));
   EXPECT_EQ(next(client), "nothing");
   ASSERT_TRUE(client.closed());
   EXPECT_EQ(client.closed()->code, kNoCodeGiven);
@@ -135,7 +135,7 @@ TEST(WebSocketClient, SaysWhenTheConnectionEndsInAFrame) {
     peer.send(peer.read_request() + server_frame(Opcode::text, "whole") + begun_frame(Opcode::binary, 100, "part"));
   });
   WebSocketClient client;
-  ASSERT_TRUE(client.connect(server.url(), kPatience));
+  ASSERT_TRUE(client.connect(server.url(), kConnectPatience));
   EXPECT_EQ(next(client), "1:whole");
   EXPECT_EQ(next(client), "the connection ended without a goodbye");
   EXPECT_EQ(next(client), "the connection ended without a goodbye") << "every later call says it, too";
@@ -231,7 +231,7 @@ TEST(WebSocketClient, GoesOnReadingAfterADeadline) {
     peer.wait_closed();
   });
   WebSocketClient client;
-  ASSERT_TRUE(client.connect(server.url(), kPatience));
+  ASSERT_TRUE(client.connect(server.url(), kConnectPatience));
   EXPECT_EQ(next(client, 20 * kMillisecond), "no answer in time");
   EXPECT_EQ(next(client, 0), "no answer in time");
   late.set_value();
@@ -246,7 +246,7 @@ TEST(WebSocketClient, KeepsItsDeadlineAtAServerThatOnlyPings) {
     }
   });
   WebSocketClient client;
-  ASSERT_TRUE(client.connect(server.url(), kPatience));
+  ASSERT_TRUE(client.connect(server.url(), kConnectPatience));
   EXPECT_EQ(next(client, 50 * kMillisecond), "no answer in time");
 }
 
@@ -261,14 +261,14 @@ TEST(WebSocketClient, CancelEndsAWaitingCallAndAllLaterOnes) {
   ScriptedServer silent([](ScriptedPeer& peer) { peer.wait_closed(); });
   WebSocketClient connecting;
   cancelled_while(connecting, [&] {
-    EXPECT_EQ(connecting.connect(silent.url(), kPatience).error(), silent.url() + ": cancelled");
+    EXPECT_EQ(connecting.connect(silent.url(), kConnectPatience).error(), silent.url() + ": cancelled");
   });
   ScriptedServer quiet([](ScriptedPeer& peer) {
     peer.send(peer.read_request());
     peer.wait_closed();
   });
   WebSocketClient receiving;
-  ASSERT_TRUE(receiving.connect(quiet.url(), kPatience));
+  ASSERT_TRUE(receiving.connect(quiet.url(), kConnectPatience));
   cancelled_while(receiving, [&] { EXPECT_EQ(next(receiving), "nothing"); });
 
   std::promise<void> done;
@@ -277,7 +277,7 @@ TEST(WebSocketClient, CancelEndsAWaitingCallAndAllLaterOnes) {
     done.get_future().wait();
   });
   WebSocketClient sending;
-  ASSERT_TRUE(sending.connect(deaf.url(), kPatience));
+  ASSERT_TRUE(sending.connect(deaf.url(), kConnectPatience));
   cancelled_while(sending, [&] {
     EXPECT_EQ(sending.send(Opcode::binary, std::string(64 << 20, 'x')).error(), deaf.url() + ": cancelled");
   });
@@ -291,14 +291,14 @@ TEST(WebSocketClient, TheSearchForANameEndsInTimeAndByCancel) {
   });
   const std::string by_name = replaced(server.url(), "127.0.0.1", "localhost");
   WebSocketClient client, late, cancelled, nobody;
-  ASSERT_TRUE(client.connect(by_name, kPatience));
+  ASSERT_TRUE(client.connect(by_name, kConnectPatience));
   EXPECT_EQ(next(client), "1:hello");
   const auto refused = late.connect(by_name, 0);
   ASSERT_FALSE(refused);
   EXPECT_TRUE(refused.error().ends_with(" in time")) << refused.error();
   cancelled.cancel();
-  EXPECT_EQ(cancelled.connect(by_name, kPatience).error(), by_name + ": cancelled");
-  EXPECT_FALSE(nobody.connect("ws://nobody.invalid:1/", kPatience));
+  EXPECT_EQ(cancelled.connect(by_name, kConnectPatience).error(), by_name + ": cancelled");
+  EXPECT_FALSE(nobody.connect("ws://nobody.invalid:1/", kConnectPatience));
 }
 
 // every truncation and every flipped byte of a conversation: messages, nothing or a sentence, and an end
@@ -319,7 +319,7 @@ TEST(WebSocketClient, SurvivesEveryDamage) {
         peer.send(bytes);
       });
       WebSocketClient client;
-      const auto connected = client.connect(server.url(), kPatience);
+      const auto connected = client.connect(server.url(), kConnectPatience);
       if (!connected) {
         EXPECT_GT(connected.error().size(), server.url().size() + 2);
         return std::size_t{1000};
