@@ -1,5 +1,8 @@
 #include "robot/core/text.h"
 
+#include <cstdarg>
+#include <cstdio>
+
 namespace robot {
 
 std::string_view trimmed(std::string_view text) {
@@ -23,6 +26,18 @@ std::string joined(const std::vector<std::string>& parts, std::string_view separ
     if (&part != &parts.front()) text += separator;
     text += part;
   }
+  return text;
+}
+
+std::string formatted(const char* format, ...) {
+  std::va_list values, again;
+  va_start(values, format);
+  va_copy(again, values);
+  const int size = std::vsnprintf(nullptr, 0, format, values);
+  std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
+  va_end(values);
   return text;
 }
 

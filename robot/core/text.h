@@ -1,8 +1,6 @@
 // Parts of texts.
 #pragma once
 
-#include <cstddef>
-#include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,13 +17,7 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
 /// Returns the parts with the separator between them, so that split() returns them again.
 std::string joined(const std::vector<std::string>& parts, std::string_view separator);
 
-/// Returns the values in a format of printf, of any length. The format must fit the values.
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  const int size = std::snprintf(nullptr, 0, format, values...);
-  std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
-  std::snprintf(text.data(), text.size() + 1, format, values...);
-  return text;
-}
+/// Returns the values in a format of printf, with any length. The compiler checks that a literal format fits the values.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
 }  // namespace robot

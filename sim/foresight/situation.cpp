@@ -72,7 +72,7 @@ class Guesswork {
     const agent::Pose& pose = knowledge_.beliefs.pose;
     if (const char* no_game = why_no_game(knowledge_.game.phase)) return no_game;
     if (knowledge_.game.player < 1 || knowledge_.game.player > params_.rules.players)
-      return formatted("player %g does not play in such a game", knowledge_.game.player);
+      return formatted("player %d does not play in such a game", knowledge_.game.player);
     if (!std::isfinite(pose.deviation) || pose.deviation > kLost)
       return formatted("the robot does not know where it is: its position is off by %.1f m", double{pose.deviation});
     ball_ = guess_ball(params_.rules.field, knowledge_);

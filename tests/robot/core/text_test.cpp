@@ -32,5 +32,13 @@ TEST(Joined, IsSplitIntoItsPartsAgain) {
   }
 }
 
+TEST(Formatted, HasAnyLength) {
+  EXPECT_EQ(formatted("%d of %.1f s in %s", 3, 0.25, "READY"), "3 of 0.2 s in READY");
+  for (const std::size_t size : {0u, 1u, 299u, 300u, 100'000u}) {
+    const std::string text(size, 'x');
+    EXPECT_EQ(formatted("%s|%s", text.c_str(), text.c_str()), text + "|" + text);
+  }
+}
+
 }  // namespace
 }  // namespace robot
