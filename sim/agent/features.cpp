@@ -141,6 +141,16 @@ constexpr FeatureInfo with_ball(FeatureInfo row) {
   row.needs_ball = true;
   return row;
 }
+/// Makes a row whose value is unknown at times, although the ball is known.
+constexpr FeatureInfo at_times_unknown(FeatureInfo row) {
+  row.at_times_unknown = true;
+  return row;
+}
+/// Makes a row whose value never changes during a game.
+constexpr FeatureInfo fixed(FeatureInfo row) {
+  row.fixed = true;
+  return row;
+}
 
 // the table of features: name, unit, range, text and function
 constexpr FeatureInfo kTable[] = {
@@ -184,12 +194,13 @@ constexpr FeatureInfo kTable[] = {
                [](const View& view) { return dot(view.ball_velocity, unit(view.position - view.ball_in_team)); })),
     with_ball(yes_no("ball_in_goal_soon", "the ball rolls towards the own goal and may get there",
                      [](const View& view) { return rolls_into_own_goal(view) ? 1.f : 0.f; })),
-    with_ball(number("crossing_time", "s", 0, 60, "time until the rolling ball passes the line through both own feet",
-                     [](const View& view) { return crossing(view).time; })),
-    with_ball(lateral("crossing_left", "m", 10, "point where it passes that line, > 0 to the left",
-                      [](const View& view) { return crossing(view).left; })),
-    with_ball(number("crossing_off", "m", 0, 10, "distance from the feet at which it passes that line",
-                     [](const View& view) { return std::abs(crossing(view).left); })),
+    at_times_unknown(with_ball(number("crossing_time", "s", 0, 60,
+                                      "time until the rolling ball passes the line through both own feet",
+                                      [](const View& view) { return crossing(view).time; }))),
+    at_times_unknown(with_ball(lateral("crossing_left", "m", 10, "point where it passes that line, > 0 to the left",
+                                       [](const View& view) { return crossing(view).left; }))),
+    at_times_unknown(with_ball(number("crossing_off", "m", 0, 10, "distance from the feet at which it passes that line",
+                                      [](const View& view) { return std::abs(crossing(view).left); }))),
     // the way to the goal
     lateral("goal_bearing", "rad", 3.15f, "direction of the opponents' goal, > 0 to the left",
             [](const View& view) { return bearing(view.to_robot(view.goal())); }),
@@ -213,23 +224,26 @@ constexpr FeatureInfo kTable[] = {
     // the others
     with_ball(number("time_to_ball", "s", 0, 1000, "time until the robot stands behind the ball",
                      [](const View& view) { return view.mind.time_to_ball(); })),
-    number("mates_time_to_ball", "s", 0, 1000, "the same of the quickest teammate, from its last message",
-           &quickest_mate),
+    at_times_unknown(number("mates_time_to_ball", "s", 0, 1000,
+                            "the same of the quickest teammate, from its last message", &quickest_mate)),
     number("mates_active", "robots", 0, 6, "number of teammates on the field that were heard recently", &count_mates),
-    number("mate_distance", "m", 0, 30, "distance of the nearest teammate, from its last message", &nearest_mate),
+    at_times_unknown(
+        number("mate_distance", "m", 0, 30, "distance of the nearest teammate, from its last message", &nearest_mate)),
     number("opponents_known", "robots", 0, 7, "number of opponents seen in the last seconds", &count_opponents),
-    number("opponent_distance", "m", 0, 30, "distance of the nearest opponent from the robot",
-           [](const View& view) { return nearest_opponent(view, view.position); }),
-    with_ball(number("opponent_ball_distance", "m", 0, 30, "distance of the nearest opponent from the ball",
-                     [](const View& view) { return nearest_opponent(view, view.ball_in_team); })),
-    with_ball(number("pass_gain", "m", -30, 30, "how much nearer to the goal the best free teammate is than the ball",
-                     &pass_gain)),
+    at_times_unknown(number("opponent_distance", "m", 0, 30, "distance of the nearest opponent from the robot",
+                            [](const View& view) { return nearest_opponent(view, view.position); })),
+    at_times_unknown(
+        with_ball(number("opponent_ball_distance", "m", 0, 30, "distance of the nearest opponent from the ball",
+                         [](const View& view) { return nearest_opponent(view, view.ball_in_team); }))),
+    at_times_unknown(with_ball(number(
+        "pass_gain", "m", -30, 30, "how much nearer to the goal the best free teammate is than the ball", &pass_gain))),
     // the robot itself
     one_of("role", kRoleNames, 3, "keeper, chaser, supporter or defender",
            [](const View& view) { return static_cast<float>(view.mind.role); }),
     lateral("lane", "", 3, "place among the robots of the same role, 0 in the middle, > 0 to the left",
             [](const View& view) { return lane_of(view.mind); }),
-    number("player", "", 1, 7, "the own number", [](const View& view) { return static_cast<float>(view.game.player); }),
+    fixed(number("player", "", 1, 7, "the own number",
+                 [](const View& view) { return static_cast<float>(view.game.player); })),
     number("x", "m", -15, 15, "own x in team_field", [](const View& view) { return view.position.x; }),
     lateral("y", "m", 10, "own y in team_field", [](const View& view) { return view.position.y; }),
     number("off_centre", "m", 0, 10, "own distance from the long axis of the field",
@@ -259,9 +273,10 @@ constexpr FeatureInfo kTable[] = {
     number(
         "score_difference", "goals", -100, 100, "own goals minus theirs",
         [](const View& view) { return static_cast<float>(int{view.game.own_score} - int{view.game.opponent_score}); }),
-    number("players", "", 1, 7, "players on a side",
-           [](const View& view) { return static_cast<float>(view.game.players); }),
-    number("field_length", "m", 0, 30, "between the goal lines", [](const View& view) { return 2 * view.half_length; }),
+    fixed(number("players", "", 1, 7, "players on a side",
+                 [](const View& view) { return static_cast<float>(view.game.players); })),
+    fixed(number("field_length", "m", 0, 30, "between the goal lines",
+                 [](const View& view) { return 2 * view.half_length; })),
 };
 constexpr int kBuiltIn = static_cast<int>(std::size(kTable));
 static_assert(kBuiltIn + kMaxOwnFeatures <= kMaxFeatures);

@@ -23,7 +23,15 @@ struct FeatureInfo {
   float most;                // largest threshold
   const char* const* names;  // kind name: the words for the values 0, 1, …, ended by nullptr; otherwise nullptr
   const char* about;
+  bool at_times_unknown = false;  // the value can be NaN although the ball is known
+  bool fixed = false;             // the value never changes during a game
 };
+
+/// Returns whether the values are whole numbers of things.
+inline bool counts(const FeatureInfo& info) {
+  const std::string_view unit = info.unit;
+  return unit == "robots" || unit == "decisions" || unit == "goals";
+}
 
 /// The number of a feature: its row in the table, ours first, then the team's own (sim/agent/own.h).
 enum class Feature : std::uint16_t {};

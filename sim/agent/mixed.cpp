@@ -7,8 +7,7 @@ Mixed::Mixed(const Behaviour& first, int changed, const Behaviour& rest)
 
 motion::Command Mixed::decide(const Surroundings& surroundings, const Game& game, const Beliefs& beliefs, Tick now,
                               Mind& mind, Trace* trace) const {
-  const Behaviour& own = game.player <= changed_ ? first_ : rest_;
-  return own.decide(surroundings, game, beliefs, now, mind, trace);
+  return of(game.player).decide(surroundings, game, beliefs, now, mind, trace);
 }
 
 }  // namespace sim::agent

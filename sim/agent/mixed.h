@@ -15,6 +15,8 @@ class Mixed final : public Behaviour {
   const std::string& name() const override { return name_; }
   motion::Command decide(const Surroundings& surroundings, const Game& game, const Beliefs& beliefs, Tick now,
                          Mind& mind, Trace* trace) const override;
+  /// Returns the behaviour of a player, by its number.
+  const Behaviour& of(int player) const { return player <= changed_ ? first_ : rest_; }
 
  private:
   const Behaviour& first_;

@@ -70,6 +70,12 @@ std::uint16_t walk_down_explaining(const Tree& tree, const View& view, Trace& tr
 
 }  // namespace
 
+void prepare(const View& view, Mind& mind) {
+  remember_ball(view, mind);
+  const auto since = static_cast<std::uint8_t>(view.now - mind.settled);
+  if (mind.leaf == kNoLeaf || since >= kSettle) assign_role(view, mind);
+}
+
 motion::Command wait(const View& view, Mind& mind, Trace* trace) {
   remember_leaf(mind, kNoLeaf, view.now);
   mind.search_since = kNever;
@@ -103,9 +109,7 @@ motion::Command TreeBehaviour::decide(const Surroundings& surroundings, const Ga
   const View view(surroundings, tree_.settings, game, beliefs, now, mind);
   if (!plays(game)) return wait(view, mind, trace);
 
-  remember_ball(view, mind);
-  const auto since = static_cast<std::uint8_t>(now - mind.settled);
-  if (mind.leaf == kNoLeaf || since >= kSettle) assign_role(view, mind);
+  prepare(view, mind);
   const std::uint16_t entry = entries_[view.ball_known][static_cast<int>(mind.role)];
   const std::uint16_t number =
       trace ? walk_down_explaining(tree_, view, *trace) : walk_down(tree_, entry, view, [](auto&&...) {});

@@ -80,6 +80,10 @@ class TreeBehaviour final : public Behaviour {
   std::uint16_t entries_[2][4];
 };
 
+/// Does what a decision in play does before its first comparison: remembers the ball, and assigns the own role if that
+/// is due. Features are computed after it.
+void prepare(const View& view, Mind& mind);
+
 /// Decides outside play: the robot stands, or goes to its place in the phase ready. `trace` may be nullptr.
 motion::Command wait(const View& view, Mind& mind, Trace* trace);
 /// Returns whether the robot may play now.

@@ -120,9 +120,11 @@ io::Matchup ChoiceOptions::choice() const {
   return choice;
 }
 
-robot::Result<contest::Lineup> ChoiceOptions::line_up() const {
-  return contest::Lineup::prepare({.game = choice(), .rest = {rest_[0], rest_[1]}, .changed = changed_});
+contest::LineupChoice ChoiceOptions::lineup_choice() const {
+  return {.game = choice(), .rest = {rest_[0], rest_[1]}, .changed = changed_};
 }
+
+robot::Result<contest::Lineup> ChoiceOptions::line_up() const { return contest::Lineup::prepare(lineup_choice()); }
 
 robot::Result<io::Playbook> ChoiceOptions::playbook(const std::vector<std::string>& strategies) const {
   const io::Matchup game = choice();

@@ -26,6 +26,8 @@ class ChoiceOptions {
   void add_to(CLI::App& command);
   /// Returns the options as they were typed.
   io::Matchup choice() const;
+  /// Returns them with the rest of each side.
+  contest::LineupChoice lineup_choice() const;
   /// Prepares the lineup.
   robot::Result<contest::Lineup> line_up() const;
   /// Prepares the strategies between which the home side may choose, against the away side's. The first is the current
@@ -44,6 +46,9 @@ std::unique_ptr<Command> match_command(CLI::App& app);
 std::unique_ptr<Command> situation_command(CLI::App& app);
 std::unique_ptr<Command> replay_command(CLI::App& app);
 std::unique_ptr<Command> check_command(CLI::App& app);
+std::unique_ptr<Command> why_command(CLI::App& app);
+std::unique_ptr<Command> whynot_command(CLI::App& app);
+std::unique_ptr<Command> debug_command(CLI::App& app);
 std::unique_ptr<Command> compare_command(CLI::App& app);
 std::unique_ptr<Command> bench_command(CLI::App& app);
 std::unique_ptr<Command> calibration_command(CLI::App& app);

@@ -46,31 +46,12 @@ bool names(std::string_view text, Side side, const io::SituationTeams& teams) {
   return text == (side == Side::home ? "home" : "away") || (teams.of(side) != 0 && number_in(text) == teams.of(side));
 }
 
-/// Parses "home/3" or "14/3" as the index of a robot, or returns kNobody.
-int robot_at(std::string_view text, int players, const io::SituationTeams& teams) {
-  const std::size_t slash = text.find('/');
-  if (slash == text.npos) return kNobody;
-  const int player = number_in(text.substr(slash + 1));
-  if (player < 1 || player > players) return kNobody;
-  for (const Side side : {Side::home, Side::away})
-    if (names(text.substr(0, slash), side, teams)) return robot_of(side, player);
-  return kNobody;
-}
-
-/// Returns the names that a robot may have, for an error.
-std::string robots(int players, const io::SituationTeams& teams) {
-  const bool numbered = teams.home != 0;
-  const std::string numbers =
-      numbered ? ", " + std::to_string(teams.home) + "/N or " + std::to_string(teams.away) + "/N" : "";
-  return (numbered ? "home/N, away/N" : "home/N or away/N") + numbers + ", N from 1 to " + std::to_string(players);
-}
-
 Result<Event> penalise(Event event, std::string_view text, int players, const io::SituationTeams& teams) {
   event.kind = Event::Kind::penalise;
-  event.robot = robot_at(text, players, teams);
+  event.robot = robot_named(text, players, teams);
   if (event.robot != kNobody) return event;
   const bool unnamed = teams.home == 0 && number_in(text.substr(0, text.find('/'))) > 0;
-  return Error{"penalise: expected " + robots(players, teams) + ", got '" + std::string(text) + "'" +
+  return Error{"penalise: expected " + robot_names(players, teams) + ", got '" + std::string(text) + "'" +
                (unnamed ? "; the situation has no \"teams\"" : "")};
 }
 
@@ -87,6 +68,23 @@ Result<Event> place_ball(Event event, std::string_view text) {
 }
 
 }  // namespace
+
+int robot_named(std::string_view text, int players, const io::SituationTeams& teams) {
+  const std::size_t slash = text.find('/');
+  if (slash == text.npos) return kNobody;
+  const int player = number_in(text.substr(slash + 1));
+  if (player < 1 || player > players) return kNobody;
+  for (const Side side : {Side::home, Side::away})
+    if (names(text.substr(0, slash), side, teams)) return robot_of(side, player);
+  return kNobody;
+}
+
+std::string robot_names(int players, const io::SituationTeams& teams) {
+  const bool numbered = teams.home != 0;
+  const std::string numbers =
+      numbered ? ", " + std::to_string(teams.home) + "/N or " + std::to_string(teams.away) + "/N" : "";
+  return (numbered ? "home/N, away/N" : "home/N or away/N") + numbers + ", N from 1 to " + std::to_string(players);
+}
 
 Result<Event> parse_event(std::string_view text, int players, const io::SituationTeams& teams) {
   std::string_view rest = trimmed(text);

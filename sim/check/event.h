@@ -2,6 +2,7 @@
 // names the numbers of its teams, "14/3" is player 3 of team 14.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "robot/core/result.h"
@@ -19,6 +20,11 @@ struct Event {
   int robot = kNobody;  // index of the penalised robot
   Vec2 ball = {};       // [m, field] new place of the ball, at rest
 };
+
+/// Parses the name of a robot, "home/3" or "14/3", as its index, or returns kNobody.
+int robot_named(std::string_view text, int players, const io::SituationTeams& teams);
+/// Returns the names that a robot may have, for an error: "home/N, away/N, 14/N or 5/N, N from 1 to 4".
+std::string robot_names(int players, const io::SituationTeams& teams);
 
 /// Parses an event of a game with `players` a side. `teams` are those of the situation.
 robot::Result<Event> parse_event(std::string_view text, int players, const io::SituationTeams& teams = {});

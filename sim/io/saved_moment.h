@@ -18,13 +18,14 @@ class SavedMoment {
   /// Keeps the situation if this is the first state that has reached the moment. `about` says from which game it comes.
   void see(const State& state, const std::string& about);
 
+  /// Returns whether the state is at the moment or behind it.
+  bool comes_with(const State& state) const;
+
   bool reached() const { return !text_.empty(); }
   /// Returns the description for parse_situation, or "" before the moment.
   const std::string& text() const { return text_; }
 
  private:
-  bool comes_with(const State& state) const;
-
   int half_ = 0;  // 0: the time since the first tick
   float seconds_ = 0;
   std::string text_;

@@ -87,6 +87,23 @@ export const rows = {
     "sim/contest",
     "robot/core",
   ],
+  "sim/debug": [
+    "sim/math",
+    "sim/field",
+    "sim/world",
+    "sim/motion",
+    "sim/agent",
+    "sim/perception",
+    "sim/referee",
+    "sim/match",
+    "sim/foresight",
+    "sim/compare",
+    "sim/io",
+    "sim/guest",
+    "sim/contest",
+    "sim/check",
+    "robot/core",
+  ],
   "sim/report": [
     "sim/math",
     "sim/field",
@@ -299,6 +316,7 @@ export const libraries = [
     target: "Eigen3::",
     folders: ["robot/nao/model", "robot/nao/motion", "robot/body/nao", "tests"],
   },
+  { name: "libedit", include: "editline/", target: "edit::", folders: ["sim/app"] },
   { name: "Random123", include: "Random123/", target: "Random123::", folders: ["sim/math"] },
 ];
 

@@ -105,6 +105,19 @@ TEST(Features, OfTheBallAreUnknownWhileTheBallIs) {
     EXPECT_TRUE(std::isnan(value_of(feature, view))) << info_of(feature).name;
 }
 
+TEST(Features, OfAKnownBallAreKnownUnlessTheirRowSaysOtherwise) {
+  std::mt19937 random(3);
+  for (int n = 0; n < 3000; ++n) {
+    const Scene scene = random_scene(random);
+    const View view = scene.view();
+    for (int i = 0; i < feature_count(); ++i) {
+      const FeatureInfo& info = info_of(static_cast<Feature>(i));
+      if (info.at_times_unknown || (info.needs_ball && !view.ball_known)) continue;
+      EXPECT_FALSE(std::isnan(value_of(static_cast<Feature>(i), view))) << info.name;
+    }
+  }
+}
+
 TEST(Features, TheNewestReportGivesTheBallWhenTheOwnSightIsOld) {
   Scene scene;
   scene.hear(3, {2, 1}, 3, Role::chaser, 1).ball = {1.5f, 0.5f};

@@ -1,0 +1,138 @@
+// foresight-sim why, whynot and debug: the debugger of decisions.
+#include <cstdio>
+
+#include "sim/app/commands.h"
+#include "sim/app/line_editor.h"
+#include "sim/contest/openings.h"
+#include "sim/debug/session.h"
+
+namespace sim::app {
+namespace {
+
+constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
+
+/// The options of a debugged game.
+class GameOptions {
+ public:
+  void add_to(CLI::App& command) {
+    choice_.add_to(command);
+    command.add_option("--seed", seed_, "seed of all random numbers of the game")
+        ->check(CLI::Range(std::uint64_t{0}, kMostSeed))
+        ->capture_default_str();
+    command.add_option("--from", from_, "start of the game: name or file of a described moment");
+    command.add_option("--at", at_, "moment: [s] since the first tick, or half:minutes:seconds on the clock");
+    command.add_option("--robot", robot_, "robot: 14/3 or home/3");
+    command.add_option("--home-team", teams_.home, "team number in the names of robots")
+        ->check(CLI::Range(1, 999))
+        ->capture_default_str();
+    command.add_option("--away-team", teams_.away, "team number in the names of robots")
+        ->check(CLI::Range(1, 999))
+        ->capture_default_str();
+  }
+
+  /// Begins the game, and goes to the moment and the robot.
+  robot::Result<debug::Session> begin() const {
+    if (teams_.home == teams_.away)
+      return robot::Error{"the teams must have different numbers, got " + std::to_string(teams_.home) + " twice"};
+    const auto setup = debug::prepare(choice_.lineup_choice());
+    if (!setup) return setup.failure();
+    const Params& params = (*setup)->params;
+    const auto openings = contest::Openings::read(from_, false, params);
+    if (!openings) return openings.failure();
+    debug::Session session(*setup, openings->begin(params, seed_), teams_);
+    if (!robot_.empty())
+      if (const auto done = session.run("robot " + robot_); !done) return done.failure("--robot");
+    if (!at_.empty())
+      if (const auto done = session.run("goto " + at_); !done) return done.failure("--at");
+    return session;
+  }
+
+ private:
+  ChoiceOptions choice_;
+  std::uint64_t seed_ = 1;
+  std::string from_, at_, robot_;
+  io::SituationTeams teams_{.home = 14, .away = 5};
+};
+
+/// Prints the answer to one line.
+int answer(const robot::Result<debug::Session>& begun, const std::string& line) {
+  if (!begun) return fail(begun.error());
+  debug::Session session = *begun;
+  const auto text = session.run(line);
+  if (!text) return fail(text.error());
+  std::fputs(text->c_str(), stdout);
+  return kDone;
+}
+
+class WhyCommand final : public Command {
+ public:
+  explicit WhyCommand(CLI::App& app)
+      : Command(
+            app.add_subcommand("why", "explain a decision of a robot: every comparison, its margin and its beliefs")) {
+    game_.add_to(options());
+    options().get_option("--at")->required();
+    options().get_option("--robot")->required();
+  }
+
+  int run() override { return answer(game_.begin(), "why"); }
+
+ private:
+  GameOptions game_;
+};
+
+class WhynotCommand final : public Command {
+ public:
+  explicit WhynotCommand(CLI::App& app)
+      : Command(
+            app.add_subcommand("whynot", "the smallest change with which a robot would have played another skill")) {
+    game_.add_to(options());
+    options().get_option("--at")->required();
+    options().get_option("--robot")->required();
+    options().add_option("--skill", skill_, "skill, or the name of a rule of the tree")->required();
+  }
+
+  int run() override { return answer(game_.begin(), "whynot " + skill_); }
+
+ private:
+  GameOptions game_;
+  std::string skill_;
+};
+
+class DebugCommand final : public Command {
+ public:
+  explicit DebugCommand(CLI::App& app)
+      : Command(app.add_subcommand("debug", "stop, go back, ask, change and run again: lines from standard input")) {
+    game_.add_to(options());
+    options().footer("Commands:\n" + debug::help_text());
+  }
+
+  int run() override {
+    auto session = game_.begin();
+    if (!session) return fail(session.error());
+    LineEditor editor([&](std::string_view line) { return session->completions(line); });
+    for (int number = 1;; ++number) {
+      const auto line = editor.read(session->prompt());
+      if (!line || *line == "quit") return kDone;
+      const auto text = session->run(*line);
+      if (text) {
+        std::fputs(text->c_str(), stdout);
+        std::fflush(stdout);
+        continue;
+      }
+      // a script ends with its first error; a person tries again
+      if (!editor.is_terminal()) return fail("line " + std::to_string(number) + ": " + text.error());
+      std::printf("%s\n", text.error().c_str());
+    }
+  }
+
+ private:
+  GameOptions game_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> why_command(CLI::App& app) { return std::make_unique<WhyCommand>(app); }
+std::unique_ptr<Command> whynot_command(CLI::App& app) { return std::make_unique<WhynotCommand>(app); }
+std::unique_ptr<Command> debug_command(CLI::App& app) { return std::make_unique<DebugCommand>(app); }
+
+}  // namespace sim::app

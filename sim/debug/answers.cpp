@@ -1,0 +1,108 @@
+#include "sim/debug/answers.h"
+
+#include <cmath>
+
+#include "robot/core/text.h"
+
+namespace sim::debug {
+namespace {
+
+using robot::formatted;
+
+constexpr const char* kPhases[] = {"initial", "ready", "set", "playing", "finished"};
+constexpr const char* kDoing[] = {"stands",   "starts", "walks", "stops",   "kicks",
+                                  "crouches", "squats", "lies",  "gets up", "is off the field"};
+
+double shown(float value) { return static_cast<double>(value); }
+
+/// Returns the new value as a bound: the nearest one is at the edge of what is needed.
+std::string bound_text(const NewValue& change) {
+  const std::string value = value_text(change.feature, change.after);
+  const bool is_number = info_of(change.feature).kind == agent::FeatureInfo::Kind::number;
+  if (!is_number || std::isnan(change.after) || std::isnan(change.before)) return value;
+  return (change.after < change.before ? "at most " : "at least ") + value;
+}
+
+std::string features_text(const WhyNot& answer, const agent::Tree& tree) {
+  const bool one = answer.values.size() == 1;
+  std::string text = std::to_string(answer.values.size()) +
+                     (one ? " feature would have to be different:\n" : " features would have to be different:\n");
+  for (const NewValue& change : answer.values)
+    text +=
+        formatted("  %-24s %12s -> ", info_of(change.feature).name, value_text(change.feature, change.before).c_str()) +
+        bound_text(change) + "\n";
+  return text + "  leads to " + leaf_text(tree, answer.leaf) + "\n";
+}
+
+std::string thresholds_text(const std::vector<NewThreshold>& changes, const agent::Tree& tree) {
+  const bool one = changes.size() == 1;
+  std::string text =
+      "or " + std::to_string(changes.size()) + (one ? " threshold of the tree:\n" : " thresholds of the tree:\n");
+  for (const NewThreshold& change : changes) {
+    const agent::Feature feature = tree.nodes[change.node].feature;
+    text += formatted("  node %-4d %-30s %12s -> ", change.node, tree.node_words[change.node].condition.c_str(),
+                      value_text(feature, change.before).c_str()) +
+            value_text(feature, change.after) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string text_of(const WhyNot& answer, const std::optional<std::vector<NewThreshold>>& thresholds,
+                    const std::optional<BeliefChange>& beliefs, const agent::Tree& tree, const std::string& name,
+                    const std::string& what) {
+  if (answer.kind == WhyNot::Kind::reached)
+    return name + " does play " + what + ": " + leaf_text(tree, answer.leaf) + "\n";
+  std::string text;
+  if (answer.kind == WhyNot::Kind::unreachable)
+    text = what + " is unreachable: no possible values of the features lead there\n";
+  else if (answer.kind == WhyNot::Kind::unsure)
+    text = "the tree is too large for a complete search, and no way to " + what + " was found\n";
+  else
+    text = features_text(answer, tree);
+  if (thresholds) text += thresholds_text(*thresholds, tree);
+  if (beliefs) {
+    text += "beliefs that do it, with all features computed anew:\n";
+    for (const std::string& change : beliefs->changes) text += "  " + change + "\n";
+    text += "  lead to " + leaf_text(tree, beliefs->leaf) + "\n";
+  } else if (answer.kind == WhyNot::Kind::changed) {
+    text += "no change of one or two beliefs was found that does it\n";
+  }
+  return text;
+}
+
+std::string place_text(const State& state) {
+  const int seconds = static_cast<int>(static_cast<float>(state.book.clock) * kTickDuration);
+  return formatted("at %.2f s, half %d, %d:%02d on the clock, %d:%d, %s", shown(age(state.world.tick, 0)),
+                   state.book.half, seconds / 60, seconds % 60, state.book.score[0], state.book.score[1],
+                   kPhases[static_cast<int>(state.book.phase)]);
+}
+
+std::string show_text(const Params& params, const State& state, const std::function<std::string(int)>& name) {
+  const Ball& ball = state.world.ball;
+  std::string text = place_text(state) + "\n";
+  text += formatted("ball  (%.2f, %.2f) m, %.2f m/s   [field]\n", shown(ball.position.x), shown(ball.position.y),
+                    shown(length(ball.velocity)));
+  for_each_robot(state.world.players, [&](int robot) {
+    const Body& body = state.world.bodies[robot];
+    const agent::TreeBehaviour* tree = tree_of(params, robot);
+    const Robot& self = state.robots[robot];
+    const bool has_leaf = self.mind.leaf != agent::kNoLeaf && tree && self.mind.leaf < tree->tree().leaf_words.size();
+    text += formatted("%-7s (%5.2f, %5.2f) m %4.0f deg  %-16s %-14s", name(robot).c_str(), shown(body.position.x),
+                      shown(body.position.y), shown(57.29578f * body.heading), kDoing[static_cast<int>(body.doing)],
+                      has_leaf ? tree->tree().leaf_words[self.mind.leaf].name.c_str() : "-");
+    if (body.doing != Body::Doing::removed) {
+      const agent::Beliefs truth = true_beliefs(state, robot);
+      text += formatted(" pose %.2f m off", shown(distance(self.beliefs.pose.pose.position, truth.pose.pose.position)));
+      if (self.beliefs.ball.seen != kNever)
+        text += formatted(", ball %.2f m off, seen %.1f s ago",
+                          shown(distance(self.beliefs.ball.position, truth.ball.position)),
+                          shown(age(state.world.tick, self.beliefs.ball.seen)));
+    }
+    text += "\n";
+  });
+  return text;
+}
+
+}  // namespace sim::debug

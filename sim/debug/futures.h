@@ -1,0 +1,43 @@
+// The effect of a change: the same moment played on many times with and without it, with the same luck.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sim/debug/setup.h"
+#include "sim/match/state.h"
+
+namespace sim::debug {
+
+/// A moment, and the game that is played on from it.
+struct Moment {
+  SharedSetup setup;
+  State state;
+};
+
+/// The mean of a difference in pairs, with its 95 % interval.
+struct Effect {
+  double without = 0, with = 0;  // means
+  double low = 0, high = 0;      // interval of the mean of with - without
+};
+
+/// The futures of a moment with and without a change.
+struct Futures {
+  int count = 0;                // pairs
+  int different = 0;            // pairs in which anything differs after the first tick
+  Effect scores;                // share of futures in which the side scores
+  Effect concedes;              // in which it concedes
+  Effect goals;                 // goal difference
+  std::optional<Tick> parting;  // of the pair with the game's own luck: first tick behind the moment with a difference
+  std::string field;            // its first field that differs there
+};
+
+/// Plays `count` >= 2 pairs of futures of `length` [ticks]. Pair 0 has the luck of the game, each other pair a luck of
+/// its own. The goals are counted for `side`. Both moments have the same tick.
+Futures futures(const Moment& without, const Moment& with, Side side, int count, Tick length);
+
+/// Returns the table of three lines, and the sentence about the parting.
+std::string text_of(const Futures& futures, Tick length);
+
+}  // namespace sim::debug

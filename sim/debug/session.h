@@ -1,0 +1,85 @@
+// The debugger as a command language: one line in, one text out. It reads no terminal and no clock.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "sim/debug/timeline.h"
+#include "sim/debug/tree_change.h"
+#include "sim/io/situation.h"
+
+namespace sim::debug {
+
+/// A row of the help.
+struct CommandInfo {
+  std::string_view name;
+  std::string_view usage;
+  std::string_view about;
+};
+
+/// All commands.
+std::span<const CommandInfo> commands();
+/// Returns the help, a line per command.
+std::string help_text();
+
+/// A debugged game: the place in it, the robot in focus, and the edits so far.
+class Session {
+ public:
+  /// Begins at `start`, with home/2 in focus, or home/1 where there is no other player.
+  Session(SharedSetup setup, const State& start, io::SituationTeams teams);
+
+  /// Runs a line. An empty line and one that begins with '#' do nothing. The Error is one sentence, and nothing has changed.
+  robot::Result<std::string> run(std::string_view line);
+
+  Tick now() const { return now_; }
+  /// Returns "812.30 s 14/3> ".
+  std::string prompt() const;
+  /// Returns all words that can end a line with this beginning.
+  std::vector<std::string> completions(std::string_view line) const;
+
+ private:
+  using Words = std::vector<std::string>;
+  using Answer = robot::Result<std::string>;
+
+  struct Edit {
+    Tick tick;
+    Timeline before;
+  };
+
+  Answer go_to(const Words& words);
+  Answer run_until(const Words& words, bool forward);
+  Answer focus(const Words& words);
+  Answer why(const Words& words);
+  Answer why_not(const Words& words);
+  Answer nodes();
+  Answer set(const Words& words);
+  robot::Result<void> set_of_robot(const Words& words, State& state) const;
+  Answer set_threshold(const Words& words);
+  Answer strategy(const Words& words);
+  Answer undo();
+  Answer run_futures(const Words& words);
+
+  /// Moves by a number of decisions, seconds or ticks.
+  Answer move(const Words& words, bool forward);
+  Answer arrive(Tick tick);
+  /// Puts the edited state and setup here.
+  std::string edit(const State& state, SharedSetup setup, const std::string& what);
+  /// Returns the robot that the words name, or the one in focus.
+  robot::Result<int> robot_in(const Words& words, std::size_t index) const;
+  /// Returns the leaves that a skill or a part of a leaf's path names.
+  robot::Result<Goal> goal_of(const std::string& text, const agent::Tree& tree) const;
+  std::string name_of(int robot) const;
+  const Params& params() const { return timeline_.setup_at(now_)->params; }
+  int players() const { return params().rules.players; }
+
+  Timeline timeline_;
+  io::SituationTeams teams_;
+  Tick now_;
+  int focus_;
+  std::vector<Edit> edits_;
+};
+
+}  // namespace sim::debug

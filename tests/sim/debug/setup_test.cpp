@@ -1,0 +1,49 @@
+#include "sim/debug/setup.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/sim/debug/played.h"
+
+namespace sim::debug {
+namespace {
+
+TEST(Setup, RefusesBehavioursWithoutComparisons) {
+  contest::LineupChoice choice;
+  choice.game.strategies[1] = "pipe:python3 soccer.py";
+  const auto piped = prepare(choice);
+  ASSERT_FALSE(piped);
+  EXPECT_EQ(piped.error(), "'pipe:python3 soccer.py' is no decision tree, and the debugger needs one");
+  choice.game.strategies[1] = "baselin";
+  EXPECT_FALSE(prepare(choice));
+}
+
+TEST(Setup, KnowsTheTreeOfEachRobotAlsoOfATeamOfTwo) {
+  contest::LineupChoice choice;
+  choice.rest[0] = "passing", choice.changed = 2;
+  const auto setup = prepare(choice);
+  ASSERT_TRUE(setup) << setup.error();
+  const Params& params = (*setup)->params;
+  EXPECT_EQ(tree_of(params, robot_of(Side::home, 2))->tree().name, "baseline");
+  EXPECT_EQ(tree_of(params, robot_of(Side::home, 3))->tree().name, "passing");
+  EXPECT_EQ(tree_of(params, robot_of(Side::away, 3))->tree().name, "baseline");
+}
+
+TEST(Setup, AnotherTreeIsPlayedByThoseWhoPlayedThatOfTheRobot) {
+  contest::LineupChoice choice;
+  choice.rest[0] = "passing", choice.changed = 2;
+  const auto setup = prepare(choice);
+  ASSERT_TRUE(setup) << setup.error();
+  const auto name = [](const SharedSetup& played, int player) {
+    return tree_of(played->params, robot_of(Side::home, player))->tree().name;
+  };
+  const SharedSetup first = with_tree(*setup, robot_of(Side::home, 1), {.name = "new", .about = {}});
+  EXPECT_EQ(name(first, 1) + name(first, 2) + name(first, 3), "newnewpassing");
+  const SharedSetup rest = with_tree(*setup, robot_of(Side::home, 4), {.name = "new", .about = {}});
+  EXPECT_EQ(name(rest, 2) + name(rest, 3), "baselinenew");
+  const SharedSetup all = with_tree(*setup, robot_of(Side::away, 4), {.name = "new", .about = {}});
+  EXPECT_EQ(tree_of(all->params, robot_of(Side::away, 1))->tree().name, "new");
+  EXPECT_EQ(name(*setup, 1), "baseline") << "the old setup stays as it was";
+}
+
+}  // namespace
+}  // namespace sim::debug
