@@ -1,9 +1,9 @@
 #include "sim/debug/futures.h"
 
 #include <cassert>
-#include <cstdio>
 #include <vector>
 
+#include "robot/core/text.h"
 #include "sim/contest/series.h"
 #include "sim/match/fields.h"
 #include "sim/match/hash.h"
@@ -11,6 +11,8 @@
 
 namespace sim::debug {
 namespace {
+
+using robot::formatted;
 
 constexpr double kSigmas95 = 1.96;
 
@@ -87,24 +89,19 @@ Futures futures(const Moment& without, const Moment& with, Side side, int count,
 
 std::string text_of(const Futures& futures, Tick length) {
   const double seconds = static_cast<double>(age(length, 0));
-  char line[200];
-  std::snprintf(line, sizeof line, "%d pairs of futures of %g s, %d of them differ\n", futures.count, seconds,
-                futures.different);
-  std::string text = line;
+  std::string text =
+      formatted("%d pairs of futures of %g s, %d of them differ\n", futures.count, seconds, futures.different);
   const auto share = [&](const char* what, const Effect& effect) {
-    std::snprintf(line, sizeof line, "%-16s %6.1f %% -> %5.1f %%    95 %% %+.1f .. %+.1f\n", what, 100 * effect.without,
-                  100 * effect.with, 100 * effect.low, 100 * effect.high);
-    text += line;
+    text += formatted("%-16s %6.1f %% -> %5.1f %%    95 %% %+.1f .. %+.1f\n", what, 100 * effect.without,
+                      100 * effect.with, 100 * effect.low, 100 * effect.high);
   };
   share("scores", futures.scores);
   share("concedes", futures.concedes);
-  std::snprintf(line, sizeof line, "%-16s %6.2f   -> %5.2f      95 %% %+.2f .. %+.2f\n", "goal difference",
-                futures.goals.without, futures.goals.with, futures.goals.low, futures.goals.high);
-  text += line;
+  text += formatted("%-16s %6.2f   -> %5.2f      95 %% %+.2f .. %+.2f\n", "goal difference", futures.goals.without,
+                    futures.goals.with, futures.goals.low, futures.goals.high);
   if (!futures.parting) return text + "with the luck of this game nothing differs\n";
-  std::snprintf(line, sizeof line, "with the luck of this game they part at %.2f s, first in ",
-                static_cast<double>(age(*futures.parting, 0)));
-  return text + line + futures.field + "\n";
+  return text + formatted("with the luck of this game they part at %.2f s, first in %s\n",
+                          static_cast<double>(age(*futures.parting, 0)), futures.field.c_str());
 }
 
 }  // namespace sim::debug

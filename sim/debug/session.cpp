@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <optional>
 
@@ -30,6 +29,8 @@ using robot::Error;
 using robot::Result;
 
 namespace {
+
+using robot::formatted;
 
 constexpr std::size_t kMostLine = 2000;  // [bytes]
 constexpr int kMostMoves = 100'000;
@@ -124,9 +125,7 @@ std::span<const CommandInfo> commands() { return kCommands; }
 std::string help_text() {
   std::string text;
   for (const CommandInfo& info : kCommands) {
-    char line[200];
-    std::snprintf(line, sizeof line, "  %-34s %s\n", std::string(info.usage).c_str(), std::string(info.about).c_str());
-    text += line;
+    text += formatted("  %-34s %s\n", std::string(info.usage).c_str(), std::string(info.about).c_str());
   }
   return text;
 }
@@ -166,9 +165,7 @@ Result<std::string> Session::run(std::string_view line) {
 }
 
 std::string Session::prompt() const {
-  char text[60];
-  std::snprintf(text, sizeof text, "%.2f s ", static_cast<double>(age(now_, 0)));
-  return text + name_of(focus_) + "> ";
+  return formatted("%.2f s %s> ", static_cast<double>(age(now_, 0)), name_of(focus_).c_str());
 }
 
 std::vector<std::string> Session::completions(std::string_view line) const {
@@ -228,10 +225,8 @@ Session::Answer Session::go_to(const Words& words) {
         return !found;
       });
   if (found) return arrive(*found);
-  char text[120];
-  std::snprintf(text, sizeof text, "the game ends %.2f s after its first tick, got ",
-                static_cast<double>(age(last.world.tick, 0)));
-  return Error{text + words[1]};
+  return Error{formatted("the game ends %.2f s after its first tick, got %s",
+                         static_cast<double>(age(last.world.tick, 0)), words[1].c_str())};
 }
 
 Session::Answer Session::move(const Words& words, bool forward) {
@@ -342,10 +337,7 @@ Session::Answer Session::nodes() {
   const agent::Tree& tree = tree_of(params(), focus_)->tree();
   std::string text;
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
-    char line[400];
-    std::snprintf(line, sizeof line, "%4zu  %-40s %s\n", i, tree.node_words[i].condition.c_str(),
-                  tree.node_words[i].path.c_str());
-    text += line;
+    text += formatted("%4zu  %-40s %s\n", i, tree.node_words[i].condition.c_str(), tree.node_words[i].path.c_str());
   }
   return text;
 }

@@ -2,9 +2,9 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 
+#include "robot/core/text.h"
 #include "sim/math/angles.h"
 
 namespace sim::debug {
@@ -12,6 +12,8 @@ namespace sim::debug {
 using agent::Beliefs;
 
 namespace {
+
+using robot::formatted;
 
 /// Returns the point of the field as the side of `robot` sees it [m, team_field].
 Vec2 in_team(const World& world, int robot, Vec2 in_field) { return attack_sign(world, side_of(robot)) * in_field; }
@@ -190,17 +192,14 @@ std::vector<Source> sources_of(agent::Feature feature, const Params& params, con
 std::string text_of(const Source& source) {
   constexpr const char* kNames[] = {"ball", "own pose", "teammate", "opponent", "memory", "game"};
   std::string text = kNames[static_cast<int>(source.kind)];
-  char part[60];
   if (source.player > 0) text += " " + std::to_string(source.player);
   if (source.kind == Source::Kind::memory || source.kind == Source::Kind::game) return text;
   if (source.kind != Source::Kind::pose) {
     const char* verb = source.kind == Source::Kind::mate ? "heard" : "seen";
     if (source.age < 0) return text + " never " + verb;
-    std::snprintf(part, sizeof part, " %s %.1f s ago,", verb, static_cast<double>(source.age));
-    text += part;
+    text += formatted(" %s %.1f s ago,", verb, static_cast<double>(source.age));
   }
-  std::snprintf(part, sizeof part, " %.2f m off", static_cast<double>(source.error));
-  return text + part;
+  return text + formatted(" %.2f m off", static_cast<double>(source.error));
 }
 
 }  // namespace sim::debug

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "robot/core/text.h"
 #include "sim/agent/roles.h"
 #include "sim/agent/trace.h"
 
@@ -15,6 +15,8 @@ using Kind = FeatureInfo::Kind;
 
 namespace {
 
+using robot::formatted;
+
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr float kDegrees = 57.2957795f;
 
@@ -23,11 +25,7 @@ Values with_value(Values values, agent::Feature feature, float value) {
   return values;
 }
 
-std::string number_text(float value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", static_cast<double>(value));
-  return text;
-}
+std::string number_text(float value) { return formatted("%.3g", static_cast<double>(value)); }
 
 /// Returns the condition with the value that answered it: "ball_distance < $near (0.31 m < 0.5 m)", or its opposite.
 std::string said(const agent::Tree& tree, const Reason& reason) {
@@ -38,14 +36,21 @@ std::string said(const agent::Tree& tree, const Reason& reason) {
   return condition + " (" + value_text(node.feature, reason.answer.value) + ")";
 }
 
-/// Returns a share of the smallest margin that would matter, or infinity.
-float narrowness(const agent::Tree& tree, const Reason& reason) {
+/// Returns the size of the margin, to compare features. It is infinite if the robot would play this skill anyway.
+float narrowness(const agent::Tree& tree, const Reason& reason, const std::string& skill) {
   const FeatureInfo& info = info_of(tree.nodes[reason.node].feature);
-  if (info.kind != Kind::number || std::isnan(reason.margin)) return std::numeric_limits<float>::infinity();
+  if (info.kind != Kind::number || std::isnan(reason.margin) || tree.leaf_words[reason.by_value].name == skill)
+    return std::numeric_limits<float>::infinity();
   return std::abs(reason.margin) / scale_of(info);
 }
 
-std::string flip_text(const agent::Tree& tree, const Reason& reason) {
+/// Returns where a flip leads: a skill, or another leaf of the same skill.
+std::string other_text(const Why& why, const agent::Tree& tree, std::uint16_t leaf) {
+  if (leaf == why.leaf) return "the same leaf";
+  return tree.leaf_words[leaf].name == why.skill ? leaf_text(tree, leaf) : tree.leaf_words[leaf].name;
+}
+
+std::string flip_text(const Why& why, const agent::Tree& tree, const Reason& reason) {
   const agent::Node& node = tree.nodes[reason.node];
   if (std::isnan(reason.flip.value))
     return std::isnan(reason.answer.threshold) ? "the other side is unknown" : "no other value answers otherwise";
@@ -56,7 +61,7 @@ std::string flip_text(const agent::Tree& tree, const Reason& reason) {
   const std::string margin = info_of(node.feature).kind != Kind::number || std::isnan(reason.margin)
                                  ? ""
                                  : " (" + (sign + value_text(node.feature, reason.margin)) + ")";
-  return change + margin + ": " + tree.leaf_words[reason.by_value].name;
+  return change + margin + ": " + other_text(why, tree, reason.by_value);
 }
 
 }  // namespace
@@ -111,8 +116,8 @@ Why why(const Params& params, const agent::TreeBehaviour& behaviour, const Decis
     all.path.push_back(std::move(reason));
   }
   const auto narrowest =
-      std::ranges::min_element(all.path, {}, [&](const Reason& reason) { return narrowness(tree, reason); });
-  if (narrowest != all.path.end() && std::isfinite(narrowness(tree, *narrowest)))
+      std::ranges::min_element(all.path, {}, [&](const Reason& reason) { return narrowness(tree, reason, all.skill); });
+  if (narrowest != all.path.end() && std::isfinite(narrowness(tree, *narrowest, all.skill)))
     all.narrowest = static_cast<std::size_t>(narrowest - all.path.begin());
   return all;
 }
@@ -142,20 +147,17 @@ std::string text_of(const Why& why, const agent::Tree& tree, const std::string& 
   std::string text = sentence_of(why, tree, name) + ".\n";
   if (!why.plays) return text;
   text += "\nleaf  " + leaf_text(tree, why.leaf) + "\nrole  " + why.role + "\n\n";
-  char line[400];
-  std::snprintf(line, sizeof line, "%4s  %-38s %-4s %10s %10s %10s  %s\n", "node", "comparison", "", "believed", "true",
-                "threshold", "otherwise");
-  text += line;
+  text += formatted("%4s  %-38s %-4s %10s %10s %10s  %s\n", "node", "comparison", "", "believed", "true", "threshold",
+                    "otherwise");
   for (const Reason& reason : why.path) {
     const agent::Node& node = tree.nodes[reason.node];
     const char* answer = std::isnan(reason.answer.value) ? "?" : reason.answer.result ? "yes" : "no";
     const bool is_number = info_of(node.feature).kind == Kind::number;
-    std::snprintf(line, sizeof line, "%4d  %-38s %-4s %10s %10s %10s  %s\n", reason.node,
-                  tree.node_words[reason.node].condition.c_str(), answer,
-                  value_text(node.feature, reason.answer.value).c_str(), value_text(node.feature, reason.truth).c_str(),
-                  is_number ? value_text(node.feature, reason.answer.threshold).c_str() : "",
-                  flip_text(tree, reason).c_str());
-    text += line;
+    text += formatted(
+        "%4d  %-38s %-4s %10s %10s %10s  %s\n", reason.node, tree.node_words[reason.node].condition.c_str(), answer,
+        value_text(node.feature, reason.answer.value).c_str(), value_text(node.feature, reason.truth).c_str(),
+        is_number ? value_text(node.feature, reason.answer.threshold).c_str() : "",
+        flip_text(why, tree, reason).c_str());
   }
 
   // each source once

@@ -34,9 +34,10 @@ struct Why {
   bool plays = false;  // false: penalised or outside play, and the tree was not asked
   std::string skill;   // also outside play
   std::string role;
-  std::uint16_t leaf = 0;                // number; only in play
-  std::vector<Reason> path;              // from the root
-  std::optional<std::size_t> narrowest;  // of `path`: the one with the least margin, by scale_of
+  std::uint16_t leaf = 0;    // number; only in play
+  std::vector<Reason> path;  // from the root
+  // Of `path`: the one with the least margin, by scale_of. Only those count whose other value leads to another skill.
+  std::optional<std::size_t> narrowest;
 };
 
 /// Explains the decision. `state` is that of its tick, and `behaviour` has made it.

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
-#include "robot/core/text.h"
 #include "sim/foresight/race.h"
 #include "sim/math/random.h"
 
 namespace sim::foresight {
 namespace {
-
-using robot::formatted;
 
 constexpr int kDraws = 1000;  // for P(best): 0.016 of standard error at most
 
@@ -109,6 +107,12 @@ Standing standing_of(const RolloutStatistics& statistics, int i) {
 
 const char* unit_of(Measure measure) { return measure == Measure::goal_difference ? "goals" : "in probability"; }
 
+std::string text(const char* format, auto... values) {
+  char buffer[320];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
 }  // namespace
 
 double student(double sure, double freedom) {
@@ -145,35 +149,34 @@ Forecast forecast(const RolloutStatistics& statistics, const Question& question,
 std::string reason(const Forecast& forecast, const Question& question, const std::string* names) {
   const Standing& incumbent = forecast.standings[0];
   if (forecast.advice == Forecast::Advice::none)
-    return formatted("no advice: %d of at least %d futures were played in the time given", incumbent.rollouts,
-                     kFewestStripes);
+    return text("no advice: %d of at least %d futures were played in the time given", incumbent.rollouts,
+                kFewestStripes);
   const std::string& kept = names[0];
-  if (forecast.challenger == 0) return formatted("keeps %s: there is nothing else to play", kept.c_str());
+  if (forecast.challenger == 0) return text("keeps %s: there is nothing else to play", kept.c_str());
   const Standing& best = forecast.standings[forecast.challenger];
   const std::string& name = names[forecast.challenger];
   const char* unit = unit_of(question.measure);
   const double reach = best.gain_high - best.gain;
   if (forecast.advice == Forecast::Advice::change)
-    return formatted("changes from %s to %s: that gains %.2f ± %.2f %s (%d futures)", kept.c_str(), name.c_str(),
-                     best.gain, reach, unit, best.rollouts);
+    return text("changes from %s to %s: that gains %.2f ± %.2f %s (%d futures)", kept.c_str(), name.c_str(), best.gain,
+                reach, unit, best.rollouts);
   if (best.gain_high < 0)
-    return formatted("keeps %s: %s, the best of the others, would lose %.2f ± %.2f %s (%d futures)", kept.c_str(),
-                     name.c_str(), -best.gain, reach, unit, best.rollouts);
+    return text("keeps %s: %s, the best of the others, would lose %.2f ± %.2f %s (%d futures)", kept.c_str(),
+                name.c_str(), -best.gain, reach, unit, best.rollouts);
   if (best.gain_low > 0)
-    return formatted("keeps %s: %s would gain %.2f ± %.2f %s, too little for a change, which costs %.2f (%d futures)",
-                     kept.c_str(), name.c_str(), best.gain, reach, unit, static_cast<double>(question.switching_cost),
-                     best.rollouts);
+    return text("keeps %s: %s would gain %.2f ± %.2f %s, too little for a change, which costs %.2f (%d futures)",
+                kept.c_str(), name.c_str(), best.gain, reach, unit, static_cast<double>(question.switching_cost),
+                best.rollouts);
   if (std::abs(best.gain) < kAlike && reach < kAlike)
-    return formatted("keeps %s: no difference from %s was seen in %d futures", kept.c_str(), name.c_str(),
-                     best.rollouts);
+    return text("keeps %s: no difference from %s was seen in %d futures", kept.c_str(), name.c_str(), best.rollouts);
   if (std::abs(best.gain) < kAlike)
-    return formatted("keeps %s: %s comes to the same, within %.2f %s (%d futures)", kept.c_str(), name.c_str(), reach,
-                     unit, best.rollouts);
+    return text("keeps %s: %s comes to the same, within %.2f %s (%d futures)", kept.c_str(), name.c_str(), reach, unit,
+                best.rollouts);
   if (best.gain <= 0)
-    return formatted("keeps %s: nothing else looks better; %s comes next, with %.2f ± %.2f %s less (%d futures)",
-                     kept.c_str(), name.c_str(), std::abs(best.gain), reach, unit, best.rollouts);
-  return formatted("keeps %s: %s would gain %.2f ± %.2f %s, which may be chance (%d futures)", kept.c_str(),
-                   name.c_str(), best.gain, reach, unit, best.rollouts);
+    return text("keeps %s: nothing else looks better; %s comes next, with %.2f ± %.2f %s less (%d futures)",
+                kept.c_str(), name.c_str(), std::abs(best.gain), reach, unit, best.rollouts);
+  return text("keeps %s: %s would gain %.2f ± %.2f %s, which may be chance (%d futures)", kept.c_str(), name.c_str(),
+              best.gain, reach, unit, best.rollouts);
 }
 
 }  // namespace sim::foresight

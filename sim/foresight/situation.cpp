@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
-#include "robot/core/text.h"
 #include "sim/foresight/guess.h"
 #include "sim/match/situation.h"
 #include "sim/match/step.h"
@@ -16,8 +16,6 @@
 namespace sim::foresight {
 namespace {
 
-using robot::formatted;
-
 using Phase = agent::Game::Phase;
 using SetPlay = agent::Game::SetPlay;
 using Doing = Body::Doing;
@@ -27,6 +25,12 @@ constexpr std::uint32_t kTries = 8;  // tries for a place of the ball on the fie
 // Share of balls at the place for balls that were out. Source: 500 balls that lay elsewhere than a robot believed, in
 // games in which such a ball is placed back.
 constexpr float kPlacedBack = 0.65f;
+
+std::string sentence(const char* format, double value) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
 
 const char* why_no_game(Phase phase) {
   if (phase == Phase::initial) return "the game has not begun";
@@ -72,13 +76,13 @@ class Guesswork {
     const agent::Pose& pose = knowledge_.beliefs.pose;
     if (const char* no_game = why_no_game(knowledge_.game.phase)) return no_game;
     if (knowledge_.game.player < 1 || knowledge_.game.player > params_.rules.players)
-      return formatted("player %d does not play in such a game", knowledge_.game.player);
+      return sentence("player %g does not play in such a game", knowledge_.game.player);
     if (!std::isfinite(pose.deviation) || pose.deviation > kLost)
-      return formatted("the robot does not know where it is: its position is off by %.1f m", double{pose.deviation});
+      return sentence("the robot does not know where it is: its position is off by %.1f m", double{pose.deviation});
     ball_ = guess_ball(params_.rules.field, knowledge_);
     if (ball_.seen == kNever) return "nobody has seen the ball yet";
     if (age(knowledge_.now, ball_.seen) > kBallLost)
-      return formatted("nobody has seen the ball for %.0f s", double{age(knowledge_.now, ball_.seen)});
+      return sentence("nobody has seen the ball for %.0f s", double{age(knowledge_.now, ball_.seen)});
     return {};
   }
 

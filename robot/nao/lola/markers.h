@@ -1,4 +1,5 @@
-// The markers of MessagePack: the byte before a value that tells its kind, https://github.com/msgpack/msgpack/blob/master/spec.md
+// The markers of MessagePack: the byte in front of a value names its type. Source:
+// https://github.com/msgpack/msgpack/blob/master/spec.md
 #pragma once
 
 #include <cstddef>

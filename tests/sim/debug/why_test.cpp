@@ -91,6 +91,10 @@ TEST(Why, TellsSkillLeafAndPathOfTheDecision) {
         ASSERT_EQ(reasons.path.size() + 1, trace.visited.size());
         for (std::size_t i = 0; i < reasons.path.size(); ++i)
           EXPECT_EQ(behaviour.tree().node_words[reasons.path[i].node].path, trace.visited[i].path);
+        if (reasons.narrowest) {
+          const std::uint16_t other = reasons.path[*reasons.narrowest].by_value;
+          EXPECT_NE(behaviour.tree().leaf_words[other].name, reasons.skill);
+        }
         const std::string text = text_of(reasons, behaviour.tree(), "14/3");
         EXPECT_TRUE(text.starts_with("14/3 plays " + reasons.skill + " because ")) << text;
         EXPECT_EQ(std::ranges::count(sentence_of(reasons, behaviour.tree(), "14/3"), '\n'), 0);
