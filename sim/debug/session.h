@@ -1,29 +1,17 @@
 // The debugger as a command language: one line in, one text out. It reads no terminal and no clock.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "robot/core/result.h"
+#include "sim/debug/commands.h"
 #include "sim/debug/timeline.h"
 #include "sim/debug/tree_change.h"
 #include "sim/io/situation.h"
 
 namespace sim::debug {
-
-/// A row of the help.
-struct CommandInfo {
-  std::string_view name;
-  std::string_view usage;
-  std::string_view about;
-};
-
-/// All commands.
-std::span<const CommandInfo> commands();
-/// Returns the help, a line per command.
-std::string help_text();
 
 /// A debugged game: the place in it, the robot in focus, and the edits so far.
 class Session {
