@@ -164,7 +164,11 @@ test("two pages show the pictures of their own moments", async (t) => {
       await stands(page);
       await pressStrip(page, [0.3, 0.8][i]);
       const pressed_ns = messages[0].logTime + BigInt([12, 32][i]) * (kSecond / 10n); // of 4 s
-      await moment(page, "the pressed moment", (ns) => ns > pressed_ns - kSecond / 2n && ns < pressed_ns + kSecond / 2n);
+      await moment(
+        page,
+        "the pressed moment",
+        (ns) => ns > pressed_ns - kSecond / 2n && ns < pressed_ns + kSecond / 2n,
+      );
       await page.keyboard.press("d"); // an overlay, over which pixels are told
     }),
   );

@@ -105,7 +105,7 @@ test("foresight-lab plays another session of the folder, and a link leads to a s
   await other.getByText("Robot 14/3").first().waitFor();
   await until(
     () => new RegExp(`at=${at}`).test(other.url()),
-    "the moment of the link",
+    `the moment ${at} of the link`,
     undefined,
     () => other.url(),
   );

@@ -329,7 +329,7 @@ export class Server implements Listener {
     if (this.connectionState.state !== "open" || !this.own || !played?.known) return;
     const { start_ns, end_ns } = played;
     const at_ns = this.memory.moment_ns ?? this.place();
-    this.#left = { play: this.goes, speed: this.wantedSpeed, at_ns, start_ns, end_ns };
+    this.#left = { play: this.goes, speed: this.wantedSpeed, at_ns, start_ns, end_ns, session: this.session };
     this.#wishes.clear(); // nobody answers them
     played.told({ status: "paused", time_ns: at_ns, speed: this.#left.speed }, now());
     ++this.#told;
@@ -354,7 +354,8 @@ export class Server implements Listener {
     if (restarted) return this.#beginAgain();
     this.#opens = true;
     const left = this.#left;
-    if (left?.start_ns !== info.span?.start_ns || left?.end_ns !== info.span?.end_ns) this.#left = undefined;
+    const isSame = left?.start_ns === info.span?.start_ns && left?.end_ns === info.span?.end_ns;
+    if (!isSame || left?.session !== this.session) this.#left = undefined;
     if (!fresh) return;
     this.toldAll = false;
     this.#introduced_s = now();

@@ -173,7 +173,7 @@ test("a server with a span and the capability plays a recording; a fresh introdu
 
 const kSpan = { start_ns: 5n * kSecond, end_ns: 90n * kSecond };
 const recorded = (more: Partial<ServerInfo> = {}): ServerInfo =>
-  infoOf({ capabilities: ["playbackControl"], span: kSpan, metadata: { own_playheads: "yes" }, ...more });
+  infoOf({ capabilities: ["playbackControl"], span: kSpan, metadata: { own_playheads: "yes", session: "a" }, ...more });
 const stateOf = (at: bigint, more: object = {}) =>
   ({ status: "paused", time_ns: at * kSecond, speed: 1, didSeek: false, request: "", ...more }) as const;
 /** Loses the connection, and makes the next one. */
@@ -213,7 +213,7 @@ test("a playhead of its own survives a lost connection: place, speed, and whethe
   expect(connectAgain()).toBe(String(20n * kSecond)); // the next try too
   opens(recorded(), false);
   server.playback(stateOf(20n));
-  expect(told.begun.at(-1)).toEqual({ play: false, speed: 2, at_ns: 20n * kSecond, ...kSpan });
+  expect(told.begun.at(-1)).toEqual({ play: false, speed: 2, at_ns: 20n * kSecond, ...kSpan, session: "a" });
 
   // a server that was started again
   server.ask({ play: true, speed: 4, seek_ns: 30n * kSecond });
@@ -228,6 +228,14 @@ test("a playhead of its own survives a lost connection: place, speed, and whethe
   connectAgain();
   opens(recorded({ span: { start_ns: 6n * kSecond, end_ns: 7n * kSecond } }));
   server.playback(stateOf(6n));
+  expect(told.begun.at(-1)).toBeUndefined();
+
+  // also one with the same span
+  opens(recorded());
+  server.playback(stateOf(20n));
+  connectAgain();
+  opens(recorded({ metadata: { own_playheads: "yes", session: "b" } }));
+  server.playback(stateOf(20n));
   expect(told.begun.at(-1)).toBeUndefined();
 });
 

@@ -177,6 +177,11 @@ export class Time {
     this.#do(goToNow(this.#state, this.#facts));
   }
 
+  /** Whether the page will show the moment of its link as soon as the server has it. */
+  get awaited(): boolean {
+    return this.#state.asked_ns !== undefined;
+  }
+
   /** Shows a recording where its server plays it; another viewer may have moved it. */
   follow(server: Server): void {
     if (server === this.reference) this.#do(followServer(this.#state));
@@ -187,13 +192,9 @@ export class Time {
    * plays, unless a person has paused it already or a link asks for a moment.
    */
   opened(server: Server, left: Left | undefined): void {
-    if (left) {
-      if (left.play) server.ask({ play: true, speed: left.speed });
-      return;
-    }
     const { phase, asked_ns } = this.#state;
-    const shows = asked_ns !== undefined && !server.playsAnother(this.viewer.get("session"));
-    if (phase.is === "live" && !shows) server.ask({ play: true, speed: server.speed });
+    if (asked_ns !== undefined && !server.playsAnother(this.viewer.get("session"))) return; // it shows this moment
+    if (left ? left.play : phase.is === "live") server.ask({ play: true, speed: left?.speed ?? server.speed });
   }
 
   /** Before the first data: pauses as soon as they arrive. */
