@@ -277,13 +277,16 @@ TEST(Advisor, FollowsTheCaptainWhileQuestionsCome) {
 
 TEST(Advisor, TheCaptainReturnsToTheDefaultWithoutASureGain) {
   Fixture fixture(false, 1000, play_second);
-  fixture.horizon = 1;  // nobody scores within a second, by either strategy
+  fixture.horizon = 1;  // hardly anybody scores within a second, by either strategy
   fixture.on = true;
   const auto strategy = [&] { return fixture.game.memory->strategy.read(); };
   fixture.captain_until([&] { return strategy() && strategy()->value().epoch() == 45; });
   EXPECT_EQ(fixture.advisor->strategy(), "baseline");
   const std::string reason = strategy()->value().reason();
-  EXPECT_EQ(reason.find("back to baseline: no difference from kick_now was seen in "), 0u) << reason;
+  // among many futures there may be one with a goal
+  EXPECT_TRUE(reason.starts_with("back to baseline: no difference from kick_now was seen in ") ||
+              reason.starts_with("back to baseline: kick_now does not look "))
+      << reason;
 }
 
 /// Returns the strategy after `change` came during the captain's question and the question was answered.
