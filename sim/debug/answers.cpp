@@ -17,7 +17,7 @@ double shown(float value) { return static_cast<double>(value); }
 
 /// Returns the new value as a bound: the nearest one is at the edge of what is needed.
 std::string bound_text(const NewValue& change) {
-  const std::string value = value_text(change.feature, change.after);
+  std::string value = value_text(change.feature, change.after);
   const bool is_number = info_of(change.feature).kind == agent::FeatureInfo::Kind::number;
   if (!is_number || std::isnan(change.after) || std::isnan(change.before)) return value;
   return (change.after < change.before ? "at most " : "at least ") + value;
