@@ -14,8 +14,8 @@ set(CMAKE_CXX_COMPILER_TARGET ${nao_triple})
 set(CMAKE_C_FLAGS_INIT "${nao_flags} -ffunction-sections -fdata-sections")
 set(CMAKE_CXX_FLAGS_INIT "${nao_flags} -ffunction-sections -fdata-sections")
 # Fully static, because the robots' C libraries are of 2011 to 2022. Unused sections and symbols are removed, and of
-# equal functions whose address nobody compares one is kept: that is a fiftieth of a program.
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-fuse-ld=lld -static -Wl,--gc-sections -Wl,--icf=safe -s")
+# equal functions one is kept; nothing of ours compares addresses of functions. That is a fiftieth of a program.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-fuse-ld=lld -static -Wl,--gc-sections -Wl,--icf=all -s")
 
 # The compiler searches the sysroot's usr/include last by itself. `-isystem` would put it first and break the order.
 # CMake notices this itself, except when a compiler cache rewrites the paths that the compiler prints.
