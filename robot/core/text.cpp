@@ -29,6 +29,13 @@ std::string joined(const std::vector<std::string>& parts, std::string_view separ
   return text;
 }
 
+std::string printable(std::string_view text, std::size_t most) {
+  std::string shown(text.substr(0, most));
+  for (char& byte : shown)
+    if (byte < ' ' || byte > '~') byte = '?';
+  return shown;
+}
+
 std::string formatted(const char* format, ...) {
   std::va_list values, again;
   va_start(values, format);

@@ -1,6 +1,7 @@
 // Parts of texts.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,10 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
 
 /// Returns the parts with the separator between them, so that split() returns them again.
 std::string joined(const std::vector<std::string>& parts, std::string_view separator);
+
+/// Returns at most `most` bytes of text from outside for an error sentence, with a question mark for each byte that is no
+/// printable ASCII.
+std::string printable(std::string_view text, std::size_t most);
 
 /// Returns the values in a format of printf, with any length. The compiler checks that a literal format fits the values.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);

@@ -92,6 +92,7 @@ struct Game {
 };
 
 /// The words of the set plays in all texts, by enumerator. A null pointer ends them.
+inline constexpr const char* kPhaseWords[] = {"initial", "ready", "set", "playing", "finished"};
 inline constexpr const char* kSetPlayWords[] = {"none", "kick_off", "kick_in", "goal_kick", "corner_kick", nullptr};
 /// Number of set plays, with `none`.
 inline constexpr int kSetPlays = static_cast<int>(Game::SetPlay::corner_kick) + 1;

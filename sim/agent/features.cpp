@@ -13,8 +13,6 @@ namespace {
 using Kind = FeatureInfo::Kind;
 using Compute = float (*)(const View&);
 
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-
 constexpr float kDeceleration = 0.3f;  // [m/s²] usual on turf; B-Human's ballSpecification.cfg
 constexpr float kRolls = 0.05f;        // [m/s] a slower ball does not come nearer
 constexpr float kBeside = 0.4f;        // [m] a ball seen to pass a post at this distance may still go in

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "sim/agent/view.h"
 
 namespace sim::agent {
+
+inline constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();  // value that the robot does not know
 
 /// One row of the table of features.
 struct FeatureInfo {

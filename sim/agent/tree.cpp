@@ -76,6 +76,10 @@ void prepare(const View& view, Mind& mind) {
   if (mind.leaf == kNoLeaf || since >= kSettle) assign_role(view, mind);
 }
 
+std::uint16_t leaf_of(const Tree& tree, const View& view) {
+  return walk_down(tree, tree.root, view, [](auto&&...) {});
+}
+
 motion::Command wait(const View& view, Mind& mind, Trace* trace) {
   remember_leaf(mind, kNoLeaf, view.now);
   mind.search_since = kNever;

@@ -84,6 +84,9 @@ class TreeBehaviour final : public Behaviour {
 /// is due. Features are computed after it.
 void prepare(const View& view, Mind& mind);
 
+/// Returns the number of the leaf to which the tree goes from its root. `view` is prepared.
+std::uint16_t leaf_of(const Tree& tree, const View& view);
+
 /// Decides outside play: the robot stands, or goes to its place in the phase ready. `trace` may be nullptr.
 motion::Command wait(const View& view, Mind& mind, Trace* trace);
 /// Returns whether the robot may play now.

@@ -1,6 +1,7 @@
 // The commands of foresight-sim. Each adds itself to the command line and runs if it was chosen.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@
 namespace sim::app {
 
 using robot::command::Command, robot::command::kDone, robot::command::kBadInput;
+
+// a browser cannot represent every integer above 2^53
+inline constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
 
 /// Prints the sentence on stderr and returns the exit status of bad input.
 int fail(const std::string& sentence);

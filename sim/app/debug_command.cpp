@@ -9,8 +9,6 @@
 namespace sim::app {
 namespace {
 
-constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
-
 /// The options of a debugged game.
 class GameOptions {
  public:

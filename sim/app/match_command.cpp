@@ -103,9 +103,6 @@ class MatchCommand final : public Command {
   }
 
  private:
-  // a browser cannot represent every integer above 2^53
-  static constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
-
   int run_one(const contest::Lineup& lineup, const contest::Openings& openings) {
     const contest::Cast cast(lineup, seed_);
     const Params& params = cast.params();

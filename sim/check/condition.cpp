@@ -15,14 +15,12 @@ using robot::Result;
 
 namespace {
 
-const io::Json kNoParameters = io::Json::object();
-
 /// Reads the next word, and the unit behind it, as a value.
 Result<float> take_value(Words& words, const io::Expected& expected) {
   std::string text(words.take());
   const std::string_view unit = words.peek();
   if ((!unit.empty() && unit == expected.unit) || unit == "cm" || unit == "min") text.append(" ").append(words.take());
-  return io::Values(kNoParameters).read(std::string_view(text), expected);
+  return io::Values().read(std::string_view(text), expected);
 }
 
 Error unknown_fact(const Words& words) {

@@ -15,7 +15,6 @@ using robot::Result;
 
 namespace {
 
-const io::Json kNoNames = io::Json::object();
 constexpr float kFarthest = 20;  // [m]
 
 std::string_view trimmed(std::string_view text) {
@@ -31,7 +30,7 @@ bool take(std::string_view& text, std::string_view beginning) {
 }
 
 Result<float> read(std::string_view text, const io::Expected& expected) {
-  return io::Values(kNoNames).read(trimmed(text), expected);
+  return io::Values().read(trimmed(text), expected);
 }
 
 /// Parses a whole number, or returns 0.

@@ -9,7 +9,6 @@ namespace {
 
 using robot::formatted;
 
-constexpr const char* kPhases[] = {"initial", "ready", "set", "playing", "finished"};
 constexpr const char* kDoing[] = {"stands",   "starts", "walks", "stops",   "kicks",
                                   "crouches", "squats", "lies",  "gets up", "is off the field"};
 
@@ -76,7 +75,7 @@ std::string place_text(const State& state) {
   const int seconds = static_cast<int>(static_cast<float>(state.book.clock) * kTickDuration);
   return formatted("at %.2f s, half %d, %d:%02d on the clock, %d:%d, %s", shown(age(state.world.tick, 0)),
                    state.book.half, seconds / 60, seconds % 60, state.book.score[0], state.book.score[1],
-                   kPhases[static_cast<int>(state.book.phase)]);
+                   agent::kPhaseWords[static_cast<std::size_t>(state.book.phase)]);
 }
 
 std::string show_text(const Params& params, const State& state, const std::function<std::string(int)>& name) {
@@ -90,7 +89,7 @@ std::string show_text(const Params& params, const State& state, const std::funct
     const Robot& self = state.robots[robot];
     const bool has_leaf = self.mind.leaf != agent::kNoLeaf && tree && self.mind.leaf < tree->tree().leaf_words.size();
     text += formatted("%-7s (%5.2f, %5.2f) m %4.0f deg  %-16s %-14s", name(robot).c_str(), shown(body.position.x),
-                      shown(body.position.y), shown(57.29578f * body.heading), kDoing[static_cast<int>(body.doing)],
+                      shown(body.position.y), shown(kDegrees * body.heading), kDoing[static_cast<int>(body.doing)],
                       has_leaf ? tree->tree().leaf_words[self.mind.leaf].name.c_str() : "-");
     if (body.doing != Body::Doing::removed) {
       const agent::Beliefs truth = true_beliefs(state, robot);

@@ -96,7 +96,7 @@ Belief own_pose() {
           [](const Decision& a, const Decision& b) {
             const Pose2 before = a.beliefs.pose.pose, after = b.beliefs.pose.pose;
             return moved("own pose", before.position, after.position) +
-                   formatted(", turned by %.0f deg", metres(57.3f * normalized(after.heading - before.heading)));
+                   formatted(", turned by %.0f deg", metres(kDegrees * normalized(after.heading - before.heading)));
           }};
 }
 Belief heat() {
@@ -189,15 +189,7 @@ class Search {
   }
 
   std::uint16_t leaf(const Decision& decision) const {
-    const Thought thought(params_, tree_, decision);
-    std::uint16_t at = tree_.root;
-    while (!(at & agent::kLeafBit)) {
-      const agent::Node& node = tree_.nodes[at];
-      const float value = value_of(node.feature, thought.view());
-      const float threshold = node.other == agent::kNoFeature ? node.threshold : value_of(node.other, thought.view());
-      at = holds(node.comparison, value, threshold) ? node.yes : node.no;
-    }
-    return static_cast<std::uint16_t>(at & ~agent::kLeafBit);
+    return agent::leaf_of(tree_, Thought(params_, tree_, decision).view());
   }
   bool reaches(const std::vector<Edit>& edits) const { return goal_[leaf(changed(edits))]; }
 

@@ -1,6 +1,8 @@
 #include "sim/debug/command_words.h"
 
-#include "robot/core/json_library.h"
+#include <algorithm>
+
+#include "robot/core/text.h"
 #include "sim/io/values.h"
 #include "sim/math/angles.h"
 
@@ -12,8 +14,7 @@ using robot::Result;
 namespace {
 
 Result<float> number(const std::string& text, float least, float most, const char* unit) {
-  const io::Json nothing = io::Json::object();
-  const auto value = io::Values(nothing).read(std::string_view(text), {unit, least, most, nullptr});
+  const auto value = io::Values().read(std::string_view(text), {unit, least, most, nullptr});
   if (!value) return Error{value.error()};
   return *value;
 }
@@ -33,9 +34,8 @@ std::vector<std::string> words_of(std::string_view line) {
 }
 
 std::string rest_of(const std::vector<std::string>& words, std::size_t from) {
-  std::string text;
-  for (std::size_t i = from; i < words.size(); ++i) text += (i > from ? " " : "") + words[i];
-  return text;
+  const auto first = words.begin() + static_cast<std::ptrdiff_t>(std::min(from, words.size()));
+  return robot::joined({first, words.end()}, " ");
 }
 
 Result<Vec2> place_in(const std::vector<std::string>& words, std::size_t at, const field::Field& field) {

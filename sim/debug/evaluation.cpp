@@ -1,16 +1,8 @@
 #include "sim/debug/evaluation.h"
 
-#include <limits>
-
 namespace sim::debug {
-namespace {
-
-std::size_t index_of(agent::Feature feature) { return static_cast<std::size_t>(feature); }
-
-}  // namespace
-
 Values values_of(const agent::Tree& tree, const agent::View& view) {
-  Values values(static_cast<std::size_t>(agent::feature_count()), std::numeric_limits<float>::quiet_NaN());
+  Values values(static_cast<std::size_t>(agent::feature_count()), agent::kUnknown);
   const auto set = [&](agent::Feature feature) { values[index_of(feature)] = agent::value_of(feature, view); };
   set(agent::find_feature("ball_known"));
   for (const agent::Node& node : tree.nodes) {

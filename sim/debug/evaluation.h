@@ -1,6 +1,7 @@
 // A whole tree, evaluated for one decision: every comparison, also those beside the path.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,6 +11,9 @@ namespace sim::debug {
 
 /// The values of all features by number, NaN where the robot does not know one. Only those that a tree reads are set.
 using Values = std::vector<float>;
+
+/// Returns the index of a feature in Values.
+constexpr std::size_t index_of(agent::Feature feature) { return static_cast<std::size_t>(feature); }
 
 /// Returns the values of the features that the tree reads, and of ball_known.
 Values values_of(const agent::Tree& tree, const agent::View& view);

@@ -15,7 +15,6 @@ using Kind = FeatureInfo::Kind;
 
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
 float next_above(float value, bool whole) { return whole ? std::floor(value) + 1 : std::nextafter(value, kFar); }
@@ -38,16 +37,16 @@ bool in_range(const FeatureInfo& info, float value) { return value >= info.least
 
 float other_value(const agent::Node& node, const Answer& answer, Comparison wanted) {
   const FeatureInfo& info = info_of(node.feature);
-  if (info.fixed || std::isnan(answer.threshold)) return kNone;
+  if (info.fixed || std::isnan(answer.threshold)) return agent::kUnknown;
   if (info.kind == Kind::yes_no) {
     for (const float value : {0.f, 1.f})
       if (holds(wanted, value, answer.threshold)) return value;
-    return kNone;
+    return agent::kUnknown;
   }
   const bool whole = info.kind == Kind::name || counts(info);
   float value = nearest_passing(wanted, answer.value, answer.threshold, whole);
   if (wanted == Comparison::unequal && !in_range(info, value)) value = next_below(answer.threshold, whole);
-  return in_range(info, value) ? value : kNone;
+  return in_range(info, value) ? value : agent::kUnknown;
 }
 
 }  // namespace
@@ -58,17 +57,17 @@ float nearest_passing(Comparison comparison, float value, float threshold, bool 
     case Comparison::greater: return next_above(threshold, whole);
     case Comparison::at_most: return whole ? std::floor(threshold) : threshold;
     case Comparison::at_least: return whole ? std::ceil(threshold) : threshold;
-    case Comparison::equal: return whole && threshold != std::floor(threshold) ? kNone : threshold;
+    case Comparison::equal: return whole && threshold != std::floor(threshold) ? agent::kUnknown : threshold;
     case Comparison::unequal: return value == threshold || std::isnan(value) ? next_above(threshold, whole) : value;
   }
-  return kNone;
+  return agent::kUnknown;
 }
 
 Flip flip_of(const agent::Node& node, const Answer& answer) {
   const FeatureInfo& info = info_of(node.feature);
   // an unknown value fails, with and without "not": it flips by passing
   const Comparison wanted = answer.result ? negated(node.comparison) : node.comparison;
-  Flip flip{.value = other_value(node, answer, wanted), .threshold = kNone};
+  Flip flip{.value = other_value(node, answer, wanted), .threshold = agent::kUnknown};
   if (node.other != agent::kNoFeature || std::isnan(answer.value) || info.kind == Kind::yes_no) return flip;
   float threshold = nearest_passing(exchanged(wanted), answer.threshold, answer.value, info.kind == Kind::name);
   if (wanted == Comparison::unequal && !in_range(info, threshold)) threshold = answer.value - 1;

@@ -1,7 +1,6 @@
 // The commands of a session that change the game, and that compare the futures with and without a change.
 #include <optional>
 
-#include "robot/core/json_library.h"
 #include "sim/agent/features.h"
 #include "sim/check/event.h"
 #include "sim/debug/command_words.h"
@@ -98,8 +97,8 @@ Session::Answer Session::set_threshold(const Words& words) {
   if (old.other != agent::kNoFeature || info.kind == agent::FeatureInfo::Kind::yes_no)
     return Error{"set threshold: node " + words[2] + " is '" + tree.node_words[*node].condition +
                  "', which has no threshold"};
-  const auto value = io::Values(io::Json::object())
-                         .read(std::string_view(rest_of(words, 3)), {info.unit, info.least, info.most, info.names});
+  const auto value =
+      io::Values().read(std::string_view(rest_of(words, 3)), {info.unit, info.least, info.most, info.names});
   if (!value) return Error{"set threshold: the value for " + std::string(info.name) + " " + value.error()};
   agent::Tree changed = with_threshold(tree, *node, *value);
   const std::string condition = changed.node_words[*node].condition;

@@ -1,12 +1,10 @@
 #include "sim/debug/stop.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>
 
-#include "robot/core/json_library.h"
 #include "robot/core/text.h"
 #include "sim/check/event.h"
 #include "sim/debug/decision.h"
@@ -24,7 +22,6 @@ using robot::trimmed;
 
 namespace {
 
-const io::Json kNoParameters = io::Json::object();
 constexpr float kMostError = 30;  // [m]
 
 constexpr std::pair<std::string_view, RobotFact::Kind> kPlain[] = {{"skill changes", RobotFact::Kind::skill_changes},
@@ -57,7 +54,7 @@ Result<io::Term> parse_error_bound(std::string_view text) {
         {"<", agent::Comparison::less},
         {">", agent::Comparison::greater}}) {
     if (!text.starts_with(sign)) continue;
-    const auto bound = io::Values(kNoParameters).read(trimmed(text.substr(sign.size())), {"m", 0, kMostError, nullptr});
+    const auto bound = io::Values().read(trimmed(text.substr(sign.size())), {"m", 0, kMostError, nullptr});
     if (!bound) return Error{"the value for an error of a belief " + bound.error()};
     return io::Term{.feature = agent::kNoFeature, .comparison = comparison, .threshold = *bound, .text = {}};
   }
@@ -89,7 +86,7 @@ std::optional<Result<RobotFact>> parse_robot_fact(std::string_view text, int rob
   }
   const std::string_view word = text.substr(0, text.find_first_of(" <>="));
   if (agent::find_feature(word) == agent::kNoFeature) return {};
-  io::Values values(kNoParameters);
+  io::Values values;
   auto condition = io::parse_condition(text, values);
   if (!condition) return condition.failure();
   fact.kind = RobotFact::Kind::feature, fact.term = condition->alternatives[0][0];
@@ -145,11 +142,11 @@ const char* skill_of(const Params& params, const State& state, int robot) {
 }
 
 float error_of(RobotFact::Kind kind, const State& state, int robot) {
-  if (state.world.bodies[robot].doing == Body::Doing::removed) return std::numeric_limits<float>::quiet_NaN();
+  if (state.world.bodies[robot].doing == Body::Doing::removed) return agent::kUnknown;
   const agent::Beliefs& beliefs = state.robots[robot].beliefs;
   const agent::Beliefs truth = true_beliefs(state, robot);
   if (kind == RobotFact::Kind::pose_error) return distance(beliefs.pose.pose.position, truth.pose.pose.position);
-  if (beliefs.ball.seen == kNever) return std::numeric_limits<float>::quiet_NaN();
+  if (beliefs.ball.seen == kNever) return agent::kUnknown;
   return distance(beliefs.ball.position, truth.ball.position);
 }
 

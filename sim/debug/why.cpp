@@ -17,9 +17,6 @@ namespace {
 
 using robot::formatted;
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-constexpr float kDegrees = 57.2957795f;
-
 Values with_value(Values values, agent::Feature feature, float value) {
   values[static_cast<std::size_t>(feature)] = value;
   return values;
@@ -108,7 +105,7 @@ Why why(const Params& params, const agent::TreeBehaviour& behaviour, const Decis
     reason.node = number, reason.answer = evaluation.nodes[number];
     reason.truth = value_of(node.feature, oracle.view());
     reason.flip = flip_of(node, reason.answer);
-    reason.margin = std::isnan(reason.flip.value) ? kNone : reason.flip.value - reason.answer.value;
+    reason.margin = std::isnan(reason.flip.value) ? agent::kUnknown : reason.flip.value - reason.answer.value;
     reason.branch = reason.answer.result ? node.no : node.yes;
     if (!std::isnan(reason.flip.value))
       reason.by_value = leaf_of(tree, with_value(values, node.feature, reason.flip.value));

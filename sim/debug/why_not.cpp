@@ -16,10 +16,7 @@ using Kind = FeatureInfo::Kind;
 
 namespace {
 
-constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 constexpr float kFar = std::numeric_limits<float>::infinity();
-
-std::size_t index_of(Feature feature) { return static_cast<std::size_t>(feature); }
 
 /// Returns the size of a change, by the rule of WhyNot::values.
 float size_of(const FeatureInfo& info, float before, float after) {
@@ -49,7 +46,8 @@ void add_cell(float low, float high, float value, bool whole, std::size_t count,
     if (count == 1 && from_above != (value >= high)) continue;
     float at = from_above ? high : low;
     for (std::size_t i = 0; i < count; ++i) {
-      at = nearest_passing(from_above ? agent::Comparison::less : agent::Comparison::greater, kNoValue, at, whole);
+      at = nearest_passing(from_above ? agent::Comparison::less : agent::Comparison::greater, agent::kUnknown, at,
+                           whole);
       if (at > low && at < high) values.insert(at);
     }
   }
@@ -117,7 +115,7 @@ class Search {
     // a feature of the ball follows from whether the ball is known
     const bool was_known = values_[index_of(ball_known_)] > 0.5f;
     const bool is_known = info.needs_ball ? of(ball_known_).left.front() > 0.5f : was_known;
-    if (info.needs_ball && !is_known) return with(How::kept, {kNoValue}, changed);
+    if (info.needs_ball && !is_known) return with(How::kept, {agent::kUnknown}, changed);
     const bool newly_known = info.needs_ball && !was_known;
     if (!newly_known || info.at_times_unknown) with(How::kept, {value}, changed);
     const std::vector<float>& candidates = candidates_[index_of(feature)];
@@ -227,7 +225,7 @@ std::vector<float> candidates_of(const agent::Tree& tree, const Values& values, 
     add_cell(before, high, now, whole, connected.size(), those);
     for (const float value : those) add(value);
   }
-  if (info.at_times_unknown && !std::isnan(now)) all.push_back(kNoValue);
+  if (info.at_times_unknown && !std::isnan(now)) all.push_back(agent::kUnknown);
   return all;
 }
 
@@ -235,7 +233,7 @@ Values with_values(Values values, const std::vector<NewValue>& changes) {
   for (const NewValue& change : changes) values[index_of(change.feature)] = change.after;
   if (values[index_of(agent::find_feature("ball_known"))] < 0.5f)
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (info_of(static_cast<Feature>(i)).needs_ball) values[i] = kNoValue;
+      if (info_of(static_cast<Feature>(i)).needs_ball) values[i] = agent::kUnknown;
   return values;
 }
 

@@ -15,7 +15,6 @@ namespace {
 using Json = nlohmann::json;
 
 // by enumerator
-constexpr const char* kPhases[] = {"initial", "ready", "set", "playing", "finished"};
 constexpr std::span kSetPlayWords = std::span(agent::kSetPlayWords).first<agent::kSetPlays>();
 constexpr const char* kRoles[] = {"keeper", "chaser", "supporter", "defender"};
 constexpr const char* kBodies[] = {"usual", "stand", "walk_speed", "walk_to", "kick", "squat"};
@@ -143,7 +142,7 @@ std::string greeting_of(const ForesightPlayer& player) {
 std::string question_of(const ForesightPlayer& player, const ForesightMoment& moment) {
   Line line;
   line.number("player", player.player).number("now", moment.now).flag("entered", moment.entered);
-  line.add("phase", word(kPhases, moment.phase)).add("set_play", word(kSetPlayWords, moment.set_play));
+  line.add("phase", word(agent::kPhaseWords, moment.phase)).add("set_play", word(kSetPlayWords, moment.set_play));
   line.flag("own_kick", moment.own_kick).flag("penalised", moment.penalised).number("half", moment.half);
   line.number("own_score", moment.own_score).number("opponent_score", moment.opponent_score);
   line.number("remaining", moment.remaining).number("since_phase", moment.since_phase);

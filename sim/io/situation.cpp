@@ -20,7 +20,6 @@ using Phase = agent::Game::Phase;
 using SetPlay = agent::Game::SetPlay;
 
 // by enumerator
-constexpr std::array kPhases = {"initial", "ready", "set", "playing", "finished"};
 constexpr std::span kSetPlayWords = std::span(agent::kSetPlayWords).first<agent::kSetPlays>();
 constexpr std::array kSides = {"home", "away"};
 
@@ -170,7 +169,7 @@ class Scene {
 
   void set_phase(const Json& json) {
     referee::Book& book = state_.book;
-    book.phase = name_at(reader_, json, "", "phase", kPhases, Phase::playing);
+    book.phase = name_at(reader_, json, "", "phase", agent::kPhaseWords, Phase::playing);
     book.set_play = name_at(reader_, json, "", "set_play", kSetPlayWords, SetPlay::none);
     book.kicking = name_at(reader_, json, "", "kicking", kSides, Side::home);
     if (turned_) book.kicking = other(book.kicking);
@@ -338,7 +337,7 @@ std::string save_situation(const State& state, const std::string& about) {
   Json json = Json::object();
   if (!about.empty()) json["about"] = about;
   json.update({{"seed", world.key.seed},
-               {"phase", name(kPhases, book.phase)},
+               {"phase", name(agent::kPhaseWords, book.phase)},
                {"set_play", name(kSetPlayWords, book.set_play)},
                {"kicking", name(kSides, book.kicking)},
                {"half", book.half},

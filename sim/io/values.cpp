@@ -67,6 +67,14 @@ std::string value_text(float value, const Expected& expected) {
   return short_text(value) + (*expected.unit ? " " + std::string(expected.unit) : "");
 }
 
+namespace {
+
+const Json kNoParameters = Json::object();
+
+}  // namespace
+
+Values::Values() : Values(kNoParameters) {}
+
 Result<float> Values::read(const Json& value, const Expected& expected) {
   if (value.is_string()) return read(std::string_view(value.get_ref<const std::string&>()), expected);
   if (!value.is_number() || expected.names) return wrong(expected, shown(value));

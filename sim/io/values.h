@@ -27,6 +27,8 @@ std::string value_text(float value, const Expected& expected);
 /// A reader of values. It resolves "$name" to the parameters and records the used ones.
 class Values {
  public:
+  /// Knows no "$name".
+  Values();
   /// `parameters` outlives it.
   explicit Values(const Json& parameters) : parameters_(parameters) {}
 

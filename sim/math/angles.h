@@ -16,6 +16,7 @@ namespace sim {
 static_assert(FLT_EVAL_METHOD == 0, "floats must not be computed with more bits than they have");
 
 inline constexpr float kPi = 3.14159265358979f;
+inline constexpr float kDegrees = 57.2957795f;  // of one radian
 
 /// Returns the sine with an absolute error of at most 1.2e-7 (2 ulp of 1), for |angle| <= 1000 rad.
 float sin(float angle);

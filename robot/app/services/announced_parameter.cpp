@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "robot/core/text.h"
+
 namespace robot::app {
 namespace {
 
@@ -19,16 +21,8 @@ bool is_word(std::string_view text, std::string_view signs, std::size_t max_byte
   });
 }
 
-/// Returns a name from outside in a printable form.
-std::string printable(std::string_view name) {
-  std::string shown(name.substr(0, 60));
-  for (char& byte : shown)
-    if (byte < ' ' || byte > '~') byte = '?';
-  return shown;
-}
-
 Error wrong(const LiveParameter& announced, const std::string& expected) {
-  return Error{"parameter '" + printable(announced.name()) + "': expected " + expected};
+  return Error{"parameter '" + printable(announced.name(), 60) + "': expected " + expected};
 }
 
 /// Returns a value of the announced type, or nothing if it is not of this type.

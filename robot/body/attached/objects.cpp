@@ -4,6 +4,7 @@
 #include <cctype>
 #include <utility>
 
+#include "robot/core/text.h"
 #include "robot/memory/schema.h"
 #include "robot/memory/schema_check.h"
 
@@ -26,13 +27,7 @@ bool is_topic(std::string_view topic) {
   });
 }
 
-/// Returns text from outside in a printable form, for an error sentence.
-std::string shown(std::string_view text) {
-  std::string printable(text.substr(0, 80));
-  for (char& byte : printable)
-    if (byte < ' ' || byte > '~') byte = '?';
-  return "'" + printable + "'";
-}
+std::string in_quotes(std::string_view text) { return "'" + printable(text, 80) + "'"; }
 
 }  // namespace
 
@@ -43,7 +38,7 @@ Result<std::string> Objects::topic_of(std::string_view name) const {
   std::string topic = name.starts_with('/') ? std::string(name) : "/" + robot_ + "/" + std::string(name);
   if (is_topic(topic)) return topic;
   return Error{"expected a topic of words of letters, digits, '_', '-' and '.' with '/' between them, at most " +
-               std::to_string(kMaxTopicBytes) + " bytes, got " + shown(name)};
+               std::to_string(kMaxTopicBytes) + " bytes, got " + in_quotes(name)};
 }
 
 /// Adds the schema of a message of ours if it is missing. Otherwise checks that the given schema means the same.
@@ -58,7 +53,7 @@ Result<void> Objects::complete(memory::ChannelInfo& announced) const {
   if (!ours) return {};
   if (announced.schema.encoding != "protobuf")
     return Error{"expected a schema of " + announced.schema.name + " in encoding protobuf, got " +
-                 shown(announced.schema.encoding)};
+                 in_quotes(announced.schema.encoding)};
   return memory::check_same_meaning(*ours, announced.schema);
 }
 
@@ -88,10 +83,11 @@ Result<std::shared_ptr<memory::Channel>> Objects::channel_of(memory::ChannelInfo
 
   const memory::ChannelInfo& info = known->info();
   if (info.message_encoding != announced.message_encoding || info.schema.name != announced.schema.name)
-    return Error{info.topic + ": expected " + info.message_encoding + " messages of type " + shown(info.schema.name) +
-                 ", got " + shown(announced.message_encoding) + " of type " + shown(announced.schema.name)};
+    return Error{info.topic + ": expected " + info.message_encoding + " messages of type " +
+                 in_quotes(info.schema.name) + ", got " + in_quotes(announced.message_encoding) + " of type " +
+                 in_quotes(announced.schema.name)};
   if (!our_message(info.schema.name) && info.schema != announced.schema)
-    return Error{info.topic + ": expected the schema of " + shown(info.schema.name) +
+    return Error{info.topic + ": expected the schema of " + in_quotes(info.schema.name) +
                  " that was announced first, got another one; a changed type needs a new start of the runtime"};
   return known;
 }

@@ -4,12 +4,14 @@
 #include <cstring>
 #include <optional>
 
+#include "robot/core/text.h"
+
 namespace robot::nao {
 namespace {
 
 constexpr const char* kIdentityKey = "RobotConfig";
 constexpr std::size_t kIdentityTexts = 4;
-constexpr std::size_t kMaxTextBytes = 64;  // of an id or a version
+constexpr std::size_t kMaxTextBytes = 20;  // of an id or a version
 
 /// A field to find: its key and the indices of its numbers.
 struct Field {
@@ -30,14 +32,6 @@ std::vector<Field> fields() {
 
 Error wrong(std::string_view key, const std::string& expected, const std::string& got) {
   return Error{"LoLA: " + std::string(key) + ": expected " + expected + ", got " + got};
-}
-
-/// Returns the printable part of the key, at most 20 letters.
-std::string shown(std::string_view key) {
-  std::string text(key.substr(0, 20));
-  for (char& letter : text)
-    if (letter < ' ' || letter > '~') letter = '?';
-  return text;
 }
 
 /// Returns the bits of the marker that all numbers of this encoding share.
@@ -104,7 +98,7 @@ Result<void> SensorFrames::learn(std::string_view frame) {
       const std::uint32_t texts = reader.array();
       if (texts != kIdentityTexts) return wrong(key, "4 texts", std::to_string(texts));
       for (std::string* text : {&identity.body_id, &identity.body_version, &identity.head_id, &identity.head_version})
-        *text = shown(reader.text().substr(0, kMaxTextBytes));
+        *text = printable(reader.text(), kMaxTextBytes);
       if (reader.state() == MessagePackReader::State::wrong) return wrong(key, "texts", "something else");
       continue;
     }

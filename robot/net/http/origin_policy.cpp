@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "robot/core/text.h"
+
 namespace robot::net {
 namespace {
 
@@ -44,14 +46,6 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
 
 bool is_localhost(const std::string& name) { return name == "localhost" || is_loopback(name); }
 
-// makes outside text safe for an error sentence: cuts it and keeps only printable ASCII
-std::string shown(std::string_view text) {
-  std::string result(text.substr(0, 100));
-  std::ranges::replace_if(
-      result, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return result;
-}
-
 }  // namespace
 
 std::vector<std::string> names_of_machine(std::string_view host_name) {
@@ -65,8 +59,8 @@ Result<void> check_host(const OriginPolicy& policy, std::string_view host) {
   const bool accepted =
       is_address(name) || name == "localhost" || contains(policy.hosts, name) || contains(policy.robots, name);
   if (accepted) return {};
-  return Error{"host '" + shown(host) + "' is not a name of this robot; if it is, start it with " +
-               std::string(kAllowHost) + " " + (name.empty() ? "<name>" : shown(name))};
+  return Error{"host '" + printable(host, 100) + "' is not a name of this robot; if it is, start it with " +
+               std::string(kAllowHost) + " " + (name.empty() ? "<name>" : printable(name, 100))};
 }
 
 Result<void> check_origin(const OriginPolicy& policy, std::optional<std::string_view> origin, std::string_view host) {
@@ -82,8 +76,9 @@ Result<void> check_origin(const OriginPolicy& policy, std::optional<std::string_
     const std::string name = name_of(authority);
     if (authority == lower(host) || is_localhost(name) || contains(policy.robots, name)) return {};
   }
-  return Error{"pages of '" + shown(*origin) + "' may not connect to this robot; if they should, start it with " +
-               std::string(kAllowOrigin) + " " + shown(*origin)};
+  return Error{"pages of '" + printable(*origin, 100) +
+               "' may not connect to this robot; if they should, start it with " + std::string(kAllowOrigin) + " " +
+               printable(*origin, 100)};
 }
 
 Result<std::string> frame_ancestors(const std::vector<std::string>& pages) {
@@ -97,8 +92,8 @@ Result<std::string> frame_ancestors(const std::vector<std::string>& pages) {
              std::string_view(".-:[]").find(c) != std::string_view::npos;
     };
     if (scheme == 0 || host.empty() || !std::ranges::all_of(host, allowed))
-      return Error{std::string(kAllowFrame) + ": expected a page such as https://lab.example.org, got '" + shown(text) +
-                   "'"};
+      return Error{std::string(kAllowFrame) + ": expected a page such as https://lab.example.org, got '" +
+                   printable(text, 100) + "'"};
     all += (all.empty() ? "" : " ") + page;
   }
   return all.empty() ? "'none'" : all;

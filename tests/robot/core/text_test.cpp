@@ -32,6 +32,13 @@ TEST(Joined, IsSplitIntoItsPartsAgain) {
   }
 }
 
+TEST(Printable, IsShortAndAscii) {
+  EXPECT_EQ(printable("P0 ~ok", 20), "P0 ~ok");
+  EXPECT_EQ(printable("a\n\x7f\xc3\xa4", 20), "a????");
+  EXPECT_EQ(printable("abc", 2), "ab");
+  EXPECT_EQ(printable("", 2), "");
+}
+
 TEST(Formatted, HasAnyLength) {
   EXPECT_EQ(formatted("%d of %.1f s in %s", 3, 0.25, "READY"), "3 of 0.2 s in READY");
   for (const std::size_t size : {0u, 1u, 299u, 300u, 100'000u}) {
