@@ -145,7 +145,10 @@ test(
     const stranger = questioner(t, lab, kWired, "");
     for (const [name, who] of Object.entries({ byAir, byCable, stranger }))
       await until(() => who.said.some(({ op }) => op === "ready"), `the services for ${name}`);
-    const early = await ask(byAir, "the answer by air before the game");
+    const early = await until(async () => {
+      const said = await ask(byAir, "the answer by air before the game");
+      return !/there is no object game yet/.test(said.answer?.error) && said; // until the first packet has arrived
+    }, "the robot knows of a game");
     assert.match(early.answer?.error ?? "", /the game has not begun/, JSON.stringify(early));
 
     const state = asker(t, lab, kWired, "/api/status", "(await answer.json()).game.state");

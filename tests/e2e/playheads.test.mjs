@@ -200,10 +200,14 @@ test("a playhead of a page's own goes on after a lost connection: place, speed, 
   await page.goto(`${server.http}/#/14/2/field`);
   await goesOn(page);
   await page.getByLabel("Pace").selectOption({ label: "0.25 ×" });
+  const pace = () => page.getByLabel("Pace").inputValue();
+  const quarter = (what) => until(async () => (await pace()) === "0.25", what, undefined, pace);
+  await quarter("the chosen speed");
   await pressStrip(page, 0.6);
   await moment(page, "the pressed place");
   await page.keyboard.press("Space");
   await goesOn(page);
+  await quarter("the speed after the seek");
   const before = await place(page);
   const lose = async () => {
     const lost = connection;
@@ -211,7 +215,7 @@ test("a playhead of a page's own goes on after a lost connection: place, speed, 
     await until(() => connection !== lost, "the next connection");
   };
   await lose();
-  await until(async () => (await page.getByLabel("Pace").inputValue()) === "0.25", "the speed");
+  await quarter("the speed of the lost playhead");
   await goesOn(page);
   assert.ok(Math.abs((await place(page)) - before) <= 3, `${await place(page)} after ${before}`);
 

@@ -275,8 +275,8 @@ test("after another session is watched, its events are known", async (t) => {
   );
   const choose = (view) =>
     page
-      .getByRole("link", { name: view })
-      .or(page.getByRole("button", { name: view }))
+      .getByRole("link", { name: new RegExp(`^${view}$`, "i") })
+      .or(page.getByRole("button", { name: view, exact: true }))
       .click();
   await choose("Sessions");
   await page.getByRole("article").filter({ hasText: "robot 14/3" }).getByRole("button", { name: "Watch" }).click();

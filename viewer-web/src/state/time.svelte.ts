@@ -189,12 +189,13 @@ export class Time {
 
   /**
    * A connection has a new playhead of its own, which is paused. It goes on as the lost one was `left`. A page that opens
-   * plays, unless a person has paused it already or a link asks for a moment.
+   * plays, unless a person has paused it already or a link asks for a moment, and at the speed that a person has chosen.
    */
   opened(server: Server, left: Left | undefined): void {
-    const { phase, asked_ns } = this.#state;
+    const { phase, asked_ns, speed: chosen } = this.#state;
     if (asked_ns !== undefined && !server.playsAnother(this.viewer.get("session"))) return; // it shows this moment
-    if (left ? left.play : phase.is === "live") server.ask({ play: true, speed: left?.speed ?? server.speed });
+    if (left ? !left.play : phase.is !== "live") return;
+    server.ask({ play: true, speed: left?.speed ?? (chosen > 0 && chosen !== 1 ? chosen : server.speed) });
   }
 
   /** Before the first data: pauses as soon as they arrive. */

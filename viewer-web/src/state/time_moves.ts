@@ -86,10 +86,13 @@ export function goToNow(state: TimeState, facts: Facts): Change {
 export const followServer = (state: TimeState): Change =>
   isLive(state) ? unchanged(state) : { state: { ...state, phase: { is: "live" } }, effects: [{ do: "release" }] };
 
-/** Changes the speed. A recording that plays goes on with it, backwards by the page's clock. */
+/**
+ * Changes the speed. A recording that plays goes on with it, backwards by the page's clock. Before its playhead is known
+ * the speed is only kept.
+ */
 export function setSpeed(state: TimeState, facts: Facts, speed: number): Change {
   const changed = { ...state, speed };
-  if (!facts.recorded) return unchanged(changed);
+  if (!facts.recorded || !isThere(facts)) return unchanged(changed);
   if (speed < 0) return runs(state, facts) ? play(changed, facts) : unchanged(changed);
   return ask(changed, { ...facts, speed }, runs(state, facts), isLive(state) ? undefined : atOf(state, facts));
 }

@@ -139,6 +139,14 @@ test("a page that was paused before the first data stays paused", () => {
   expect([wishes.mock.calls, viewer.time.runs]).toEqual([[], false]);
 });
 
+test("a speed that was chosen before the first data holds", () => {
+  open("#/14/2/field");
+  viewer.time.speed = 0.25;
+  const wishes = vi.spyOn(viewer.servers[0]!, "ask");
+  record(true);
+  expect(wishes.mock.calls).toEqual([[{ play: true, speed: 0.25 }]]);
+});
+
 test("a page follows by its address or a button, and goes on in its own time by the same button", () => {
   open("#/14/2/field?follow&at=5000000000");
   const server = record(false);
