@@ -20,6 +20,30 @@ step() {
   [[ $outcome == passed ]]
 }
 
+# beside NAME COMMAND…: begins a command that takes only the processor time that all others leave. `awaited NAME` waits for
+# its end, and prints what it said.
+declare -A beside_pids
+beside() {
+  local name=$1
+  shift
+  set -m # a process group of its own, so that it can be ended whole
+  chrt -i 0 "$@" >"$results/$name.beside.txt" 2>&1 </dev/null &
+  set +m
+  beside_pids[$name]=$!
+  trap end_those_beside EXIT
+}
+awaited() {
+  local status=0
+  wait "${beside_pids[$1]}" || status=$?
+  unset "beside_pids[$1]"
+  cat "$results/$1.beside.txt"
+  return "$status"
+}
+end_those_beside() {
+  local pid
+  for pid in "${beside_pids[@]}"; do kill -TERM -- "-$pid" 2>/dev/null || true; done
+}
+
 # begin_steps COUNT: forgets the results of the last run. COUNT is how many steps will follow.
 begin_steps() {
   steps_expected=$1 steps_begun=0 steps_started=$SECONDS
@@ -93,13 +117,9 @@ quietly() {
   talk=$("$@" 2>&1) || { printf '%s\n' "$talk"; return 1; }
 }
 
-# Steps of scripts/test after the set-up, and of scripts/check before its own ones; how many these are.
-test_step_count=11
-test_steps() {
-  if step prepare 'build dev' "$root/scripts/build" dev; then
-    step tests 'C++' run_ctest 'C++' dev || true
-  fi
-
+# Tests of what was built for development from outside; scripts/test and scripts/check share them. How many steps these are.
+program_step_count=9
+program_steps() {
   # the viewer itself was built together with the programs
   if step prepare 'viewer packages' "$root/scripts/viewer-packages"; then
     step check 'viewer types and lints' quietly npm --prefix "$root/viewer-web" run --silent check || true

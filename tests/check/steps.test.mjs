@@ -1,7 +1,7 @@
 // Tests of the progress that scripts/demo, scripts/build, scripts/test and scripts/check show.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
@@ -21,8 +21,12 @@ function linesOf(code, environment = {}) {
 }
 
 test("scripts/test and scripts/check announce as many steps as they have", () => {
-  assert.equal(Number(/^test_step_count=(\d+)$/m.exec(read("lib-test.sh"))[1]), stepsIn(read("lib-test.sh")));
-  assert.equal(Number(/^own_step_count=(\d+)$/m.exec(read("check"))[1]), stepsIn(read("check")));
+  for (const [script, count] of [
+    ["lib-test.sh", "program_step_count"],
+    ["test", "own_step_count"],
+    ["check", "own_step_count"],
+  ])
+    assert.equal(Number(new RegExp(`^${count}=(\\d+)$`, "m").exec(read(script))[1]), stepsIn(read(script)), script);
 });
 
 for (const name of ["demo", "test", "check"])
@@ -45,6 +49,34 @@ test("a step prints its number and the number of steps", () => {
     "   failed after 0 s",
   ]);
 });
+
+test("what runs beside is awaited: its words and its status", () => {
+  const lines = linesOf(`results=$(mktemp -d)
+    beside one bash -c 'echo words; chrt -p $$'; beside two false
+    awaited one; echo $?; awaited two || echo $?; rm -r $results`);
+  assert.match(lines[1], /SCHED_IDLE/);
+  assert.deepEqual([lines[0], ...lines.slice(-2)], ["words", "0", "1"]);
+});
+
+test("what runs beside ends with the script", async () => {
+  const [pid] = linesOf(`results=$(mktemp -d); beside long bash -c 'sleep 1000 & wait'; sleep 0.2
+    rm -r $results; echo \${beside_pids[long]}`);
+  const runs = () => readdirSync("/proc").some((name) => /^\d+$/.test(name) && groupOf(name) === pid);
+  for (let tries = 0; runs(); ++tries) {
+    assert.ok(tries < 600, "it still runs after a minute");
+    await new Promise((done) => setTimeout(done, 100));
+  }
+});
+
+/** The process group of a process that runs. */
+function groupOf(pid) {
+  try {
+    const [state, , group] = readFileSync(`/proc/${pid}/stat`, "utf8").split(") ").at(-1).split(" ");
+    return state === "Z" ? undefined : group;
+  } catch {
+    return undefined; // it has just ended
+  }
+}
 
 test("progress is one line a minute, and every other line is shown", () => {
   const ninja = "printf '[1/9] a.o\\n[2/9] b.o\\nb.cpp:1: warning\\n 3/9 Test  #3: T.b ....   Passed    0.01 sec\\n'";
