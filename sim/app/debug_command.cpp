@@ -1,6 +1,9 @@
 // foresight-sim why, whynot and debug: the debugger of decisions.
 #include <cstdio>
+#include <filesystem>
 
+#include "robot/core/files.h"
+#include "robot/core/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/line_editor.h"
 #include "sim/contest/openings.h"
@@ -52,6 +55,8 @@ class GameOptions {
   io::SituationTeams teams_{.home = 14, .away = 5};
 };
 
+constexpr std::size_t kMostFile = 1'000'000;  // [bytes] of breakpoints
+
 /// Prints the answer to one line.
 int answer(const robot::Result<debug::Session>& begun, const std::string& line) {
   if (!begun) return fail(begun.error());
@@ -101,17 +106,22 @@ class DebugCommand final : public Command {
   explicit DebugCommand(CLI::App& app)
       : Command(app.add_subcommand("debug", "stop, go back, ask, change and run again: lines from standard input")) {
     game_.add_to(options());
+    options().add_option("--breakpoints", file_, "file of the breakpoints, a condition a line; kept up to date");
     options().footer("Commands:\n" + debug::help_text());
   }
 
   int run() override {
     auto session = game_.begin();
     if (!session) return fail(session.error());
+    if (const auto read = read_breakpoints(*session); !read) return fail(read.error());
     LineEditor editor([&](std::string_view line) { return session->completions(line); });
     for (int number = 1;; ++number) {
       const auto line = editor.read(session->prompt());
       if (!line || *line == "quit") return kDone;
+      const std::vector<std::string> before = session->breakpoints();
       const auto text = session->run(*line);
+      if (!file_.empty() && session->breakpoints() != before)
+        if (const auto kept = write_breakpoints(*session); !kept) return fail(kept.error());
       if (text) {
         std::fputs(text->c_str(), stdout);
         std::fflush(stdout);
@@ -124,7 +134,31 @@ class DebugCommand final : public Command {
   }
 
  private:
+  /// Sets the breakpoints of the file. A file that does not exist yet has none.
+  robot::Result<void> read_breakpoints(debug::Session& session) const {
+    std::error_code problem;
+    if (file_.empty() || (!std::filesystem::exists(file_, problem) && !problem)) return {};
+    const auto text = robot::read_file(file_, kMostFile);
+    if (!text) return text.failure();
+    int number = 0;
+    for (const std::string_view part : robot::split(*text, "\n")) {
+      ++number;
+      const std::string_view line = robot::trimmed(part);
+      if (line.empty() || line.starts_with('#')) continue;
+      if (const auto set = session.run("break " + std::string(line)); !set)
+        return robot::Error{file_ + ", line " + std::to_string(number) + ": " + set.error()};
+    }
+    return {};
+  }
+
+  robot::Result<void> write_breakpoints(const debug::Session& session) const {
+    std::string text;
+    for (const std::string& condition : session.breakpoints()) text += condition + "\n";
+    return robot::replace_file(file_, text);
+  }
+
   GameOptions game_;
+  std::string file_;
 };
 
 }  // namespace

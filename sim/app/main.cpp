@@ -16,6 +16,8 @@ int sim_main(int argc, char** argv) {
   commands.push_back(why_command(app));
   commands.push_back(whynot_command(app));
   commands.push_back(debug_command(app));
+  commands.push_back(coverage_command(app));
+  commands.push_back(decisions_command(app));
   commands.push_back(compare_command(app));
   commands.push_back(bench_command(app));
   commands.push_back(calibration_command(app));

@@ -10,7 +10,6 @@
 #include "sim/debug/belief_change.h"
 #include "sim/debug/command_words.h"
 #include "sim/debug/decision.h"
-#include "sim/debug/stop.h"
 #include "sim/debug/why.h"
 #include "sim/debug/why_not.h"
 #include "sim/io/saved_moment.h"
@@ -28,6 +27,7 @@ using robot::formatted;
 
 constexpr std::size_t kMostLine = 2000;  // [bytes]
 constexpr int kMostMoves = 100'000;
+constexpr std::size_t kMostBreakpoints = 100;
 
 }  // namespace
 
@@ -49,6 +49,10 @@ Result<std::string> Session::run(std::string_view line) {
   if (name == "back") return move(words, false);
   if (name == "until") return run_until(words, true);
   if (name == "reverse-until") return run_until(words, false);
+  if (name == "break") return set_breakpoint(words);
+  if (name == "unbreak") return remove_breakpoint(words);
+  if (name == "continue") return run_to_breakpoint(words, true);
+  if (name == "reverse-continue") return run_to_breakpoint(words, false);
   if (name == "robot") return focus(words);
   if (name == "why") return why(words);
   if (name == "whynot") return why_not(words);
@@ -85,7 +89,7 @@ std::vector<std::string> Session::completions(std::string_view line) const {
   if (command == "whynot") {
     if (const auto* tree = tree_of(params(), focus_))
       for (const agent::Words& words : tree->tree().leaf_words) add(words.name);
-  } else if (command == "until" || command == "reverse-until") {
+  } else if (command == "until" || command == "reverse-until" || command == "break") {
     for (const std::string_view name : io::all_features()) add(name);
     for (const char* word : {"skill", "leaf", "role", "changes", "ball_error", "pose_error", "decides", "falls"})
       add(word);
@@ -171,6 +175,54 @@ Session::Answer Session::run_until(const Words& words, bool forward) {
   const auto tick = forward ? next_stop(timeline_, *stop, now_) : previous_stop(timeline_, *stop, now_);
   if (!tick) return Error{"'" + text + "' does not become true " + (forward ? "after" : "before") + " this moment"};
   return arrive(*tick);
+}
+
+std::vector<std::string> Session::breakpoints() const {
+  std::vector<std::string> texts;
+  for (const Stop& breakpoint : breakpoints_) texts.push_back(text_of(breakpoint));
+  return texts;
+}
+
+Session::Answer Session::set_breakpoint(const Words& words) {
+  if (words.size() == 1) {
+    std::string all;
+    for (std::size_t i = 0; i < breakpoints_.size(); ++i)
+      all += formatted("%3zu  %s\n", i + 1, text_of(breakpoints_[i]).c_str());
+    return all.empty() ? "no breakpoints\n" : all;
+  }
+  auto stop = parse_stop(rest_of(words, 1), players(), teams_, focus_);
+  if (!stop) return stop.failure();
+  if (breakpoints_.size() == kMostBreakpoints)
+    return Error{"there are " + std::to_string(kMostBreakpoints) + " breakpoints at most"};
+  breakpoints_.push_back(*std::move(stop));
+  return formatted("breakpoint %zu\n", breakpoints_.size());
+}
+
+Session::Answer Session::remove_breakpoint(const Words& words) {
+  if (words.size() != 2) return usage("unbreak");
+  const auto number = number_in<std::size_t>(words[1]);
+  if (!number || *number < 1 || *number > breakpoints_.size())
+    return Error{"unbreak: expected the number of a breakpoint, got '" + words[1] + "'; 'break' lists them"};
+  breakpoints_.erase(breakpoints_.begin() + static_cast<std::ptrdiff_t>(*number - 1));
+  return std::string();
+}
+
+Session::Answer Session::run_to_breakpoint(const Words& words, bool forward) {
+  if (words.size() != 1) return usage(words[0]);
+  if (breakpoints_.empty()) return Error{words[0] + ": there is no breakpoint; 'break CONDITION' sets one"};
+  std::optional<Tick> nearest;
+  std::string met;
+  for (std::size_t i = 0; i < breakpoints_.size(); ++i) {
+    const Stop& stop = breakpoints_[i];
+    const auto tick = forward ? next_stop(timeline_, stop, now_) : previous_stop(timeline_, stop, now_);
+    if (!tick || (nearest && (forward ? *tick > *nearest : *tick < *nearest))) continue;
+    if (nearest != tick) met.clear();
+    nearest = tick;
+    met += formatted("breakpoint %zu: %s\n", i + 1, text_of(stop).c_str());
+  }
+  if (!nearest) return Error{std::string("no breakpoint is met ") + (forward ? "after" : "before") + " this moment"};
+  const auto there = arrive(*nearest);
+  return *there + met;
 }
 
 Session::Answer Session::focus(const Words& words) {

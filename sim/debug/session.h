@@ -7,6 +7,7 @@
 
 #include "robot/core/result.h"
 #include "sim/debug/commands.h"
+#include "sim/debug/stop.h"
 #include "sim/debug/timeline.h"
 #include "sim/debug/tree_change.h"
 #include "sim/io/situation.h"
@@ -25,6 +26,8 @@ class Session {
   Tick now() const { return now_; }
   /// Returns "812.30 s 14/3> ".
   std::string prompt() const;
+  /// Returns the conditions of the breakpoints, each with the names of its robots.
+  std::vector<std::string> breakpoints() const;
   /// Returns all words that can end a line with this beginning.
   std::vector<std::string> completions(std::string_view line) const;
 
@@ -39,6 +42,9 @@ class Session {
 
   Answer go_to(const Words& words);
   Answer run_until(const Words& words, bool forward);
+  Answer set_breakpoint(const Words& words);
+  Answer remove_breakpoint(const Words& words);
+  Answer run_to_breakpoint(const Words& words, bool forward);
   Answer focus(const Words& words);
   Answer why(const Words& words);
   Answer why_not(const Words& words);
@@ -68,6 +74,7 @@ class Session {
   Tick now_;
   int focus_;
   std::vector<Edit> edits_;
+  std::vector<Stop> breakpoints_;
 };
 
 }  // namespace sim::debug

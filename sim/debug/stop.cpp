@@ -106,7 +106,7 @@ bool is_of_game(std::string_view text) {
 Result<Term> parse_term(std::string_view text, int players, const io::SituationTeams& teams, int focus) {
   constexpr std::string_view kNot = "not ";
   Term term;
-  if (text == trimmed(kNot)) return Error{"a fact is missing"};
+  if (text == "not") return Error{"a fact is missing"};
   term.negated = text.starts_with(kNot);
   if (term.negated) text = trimmed(text.substr(kNot.size()));
   if (text.empty()) return Error{"a fact is missing"};
@@ -125,12 +125,15 @@ Result<Term> parse_term(std::string_view text, int players, const io::SituationT
     if (!fact) return fact.failure();
     if (!words.at_end()) return Error{"expected 'and' or 'or', got '" + words.rest() + "'"};
     term.game = *fact;
+    term.text = std::string(term.negated ? kNot : "") + std::string(text);
     return term;
   }
   const auto fact = parse_robot_fact(text, robot);
   if (!fact) return unknown_fact(text);
   if (!*fact) return fact->failure();
   term.robot = **fact;
+  term.text = std::string(term.negated ? kNot : "") + std::to_string(teams.of(side_of(robot))) + "/" +
+              std::to_string(player_of(robot)) + " " + std::string(text);
   return term;
 }
 
@@ -239,6 +242,16 @@ Result<Stop> parse_stop(std::string_view text, int players, const io::SituationT
     }
   }
   return stop;
+}
+
+std::string text_of(const Stop& stop) {
+  std::vector<std::string> alternatives;
+  for (const std::vector<Term>& terms : stop.alternatives) {
+    std::vector<std::string> texts;
+    for (const Term& term : terms) texts.push_back(term.text);
+    alternatives.push_back(robot::joined(texts, " and "));
+  }
+  return robot::joined(alternatives, " or ");
 }
 
 std::optional<Tick> next_stop(Timeline& timeline, const Stop& stop, Tick now) {

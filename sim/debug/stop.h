@@ -15,6 +15,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct Term {
   bool negated = false;
   std::optional<check::Fact> game;  // otherwise `robot`
   RobotFact robot;
+  std::string text;  // as it was typed, with the name of its robot
 };
 
 /// A condition: all terms of one alternative hold.
@@ -58,6 +60,9 @@ struct Stop {
 
 /// Parses a condition of at most io::kMaxConditionBytes. `focus` is the robot of facts without one.
 robot::Result<Stop> parse_stop(std::string_view text, int players, const io::SituationTeams& teams, int focus);
+
+/// Returns a text that parses to the same condition, whichever robot is in focus.
+std::string text_of(const Stop& stop);
 
 /// Finds the first tick behind `now` at which the condition has become true, up to the end of the game. The tick is the
 /// one of the state after it.

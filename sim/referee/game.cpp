@@ -8,8 +8,8 @@ float left_of_half(const field::Rules& rules, const Book& book) {
 
 float countdown_of(const field::Rules& rules, agent::Game::Phase phase, agent::Game::SetPlay set_play) {
   if (phase == agent::Game::Phase::ready) return rules.ready_duration;
-  if (phase != agent::Game::Phase::playing || set_play == SetPlay::none) return 0;
-  return set_play == SetPlay::kick_off ? rules.kick_off_duration : rules.set_play_duration;
+  if (phase != agent::Game::Phase::playing || set_play == agent::Game::SetPlay::none) return 0;
+  return set_play == agent::Game::SetPlay::kick_off ? rules.kick_off_duration : rules.set_play_duration;
 }
 
 agent::Game game_for(const field::Rules& rules, const World& world, const Book& book, int robot) {

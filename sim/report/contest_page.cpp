@@ -6,6 +6,7 @@
 #include "robot/core/json_library.h"
 #include "robot/core/text.h"
 #include "sim/report/contest_report.h"
+#include "sim/report/page.h"
 #include "sim/report/plot.h"
 
 namespace sim::report {
@@ -13,25 +14,15 @@ namespace {
 
 using robot::formatted;
 
-constexpr const char* kStyle = R"(
-:root { color-scheme: light dark; --page: #f6f7f9; --card: #fff; --ink: #14181f; --soft: #5b6472; --line: #dfe3e9;
-  --b: #1769d2; --a: #b8500a; --even: #9aa3b0; --good: #137a4b; --bad: #b3261e; --open: #8a6100; --code: #eef1f5; }
-@media (prefers-color-scheme: dark) {
-  :root { --page: #10141a; --card: #181d25; --ink: #e8ecf2; --soft: #9aa5b5; --line: #2b323d;
-    --b: #6aa8ff; --a: #f0974f; --even: #5f6978; --good: #4fc38a; --bad: #ff8a80; --open: #e3b341; --code: #222934; } }
-* { box-sizing: border-box; }
-body { margin: 0; padding: 28px 20px 48px; background: var(--page); color: var(--ink);
-  font: 15px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
-main { max-width: 1180px; margin: 0 auto; }
-h1 { font-size: 25px; line-height: 1.3; margin: 10px 0 6px; text-wrap: balance; }
-h2 { font-size: 15px; margin: 0; } h2 + p { margin: 2px 0 8px; }
-p, td, li { font-variant-numeric: tabular-nums; } .soft, h2 + p { color: var(--soft); font-size: 13.5px; }
+constexpr const char* kContestStyle = R"(
+:root { --b: var(--blue); --a: #b8500a; --even: #9aa3b0; --code: #eef1f5; }
+@media (prefers-color-scheme: dark) { :root { --a: #f0974f; --even: #5f6978; --code: #222934; } }
+h2 { font-size: 15px; margin: 0; } h2 + p { margin: 2px 0 8px; color: var(--soft); font-size: 13.5px; }
 .chip { display: inline-block; padding: 2px 12px; border-radius: 99px; font-weight: 600; font-size: 13.5px;
   color: var(--card); background: var(--open); }
 .chip.better { background: var(--good); } .chip.not-better { background: var(--bad); }
 .chip.identical { background: var(--soft); }
 .facts { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 12px; margin: 22px 0 16px; }
-.card { background: var(--card); border: 1px solid var(--line); border-radius: 10px; padding: 14px 16px; min-width: 0; }
 .facts b { display: block; font-size: 23px; line-height: 1.25; font-weight: 650; white-space: nowrap; }
 .facts .card { padding: 11px 15px; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 460px), 1fr)); gap: 16px; }
@@ -47,9 +38,9 @@ polyline { fill: none; stroke-width: 2; stroke-linejoin: round; }
 .split { display: flex; gap: 2px; height: 30px; margin: 10px 0 6px; border-radius: 6px; overflow: hidden; }
 .split span { background: var(--even); min-width: 1px; } .split .b { background: var(--b); } .split .a { background: var(--a); }
 .split .half { opacity: .55; }
-table { border-collapse: collapse; width: 100%; } td, th { padding: 4px 10px 4px 0; text-align: right; vertical-align: top; }
-th { color: var(--soft); font-weight: 500; font-size: 13.5px; } td:first-child, th:first-child { text-align: left; color: var(--soft); }
-tr + tr > * { border-top: 1px solid var(--line); } th.a { color: var(--a); } th.b { color: var(--b); }
+td, th { padding: 4px 10px 4px 0; text-align: right; vertical-align: top; }
+td:first-child, th:first-child { text-align: left; color: var(--soft); }
+th.a { color: var(--a); } th.b { color: var(--b); }
 .keys td { text-align: left; overflow-wrap: anywhere; } .keys td:first-child { white-space: nowrap; width: 1%; padding-right: 22px; }
 .scroll { overflow-x: auto; } code { font: 12.5px/1.5 ui-monospace, "DejaVu Sans Mono", monospace; }
 .replay td { text-align: left; } .replay td:first-child { text-align: right; font-weight: 600; padding-right: 16px; width: 1%; }
@@ -57,7 +48,6 @@ tr + tr > * { border-top: 1px solid var(--line); } th.a { color: var(--a); } th.
   user-select: all; }
 .replay a { color: var(--b); }
 .gain-b { color: var(--b) !important; } .gain-a { color: var(--a) !important; }
-@media print { body { padding: 0; background: #fff; } .card { break-inside: avoid; } }
 )";
 
 double number(const Json& json) { return json.is_number() ? json.get<double>() : NAN; }
@@ -264,12 +254,9 @@ std::string page_of(const Json& report) {
   std::ranges::replace(style, ' ', '-');
   // the sentence's figures are shown below
   const std::string headline = sentence.substr(0, sentence.find(": "));
-  std::string all =
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      escaped(headline) + "</title>\n<style>" + kStyle + "</style></head>\n<body><main>\n";
-  all += "<header><span class=\"chip " + style + "\">" + escaped(verdict) + "</span>\n<h1>" + escaped(headline) +
-         "</h1>\n<p class=\"soft\" data-of=\"sentence\">" + escaped(sentence) + "</p></header>\n";
+  std::string all = "<header><span class=\"chip " + style + "\">" + escaped(verdict) + "</span>\n<h1>" +
+                    escaped(headline) + "</h1>\n<p class=\"soft\" data-of=\"sentence\">" + escaped(sentence) +
+                    "</p></header>\n";
 
   const Json& gain = report.at("gain");
   all += "<div class=\"facts\">\n";
@@ -302,7 +289,7 @@ std::string page_of(const Json& report) {
   if (!report.at("decisive").empty())
     all += card("The most decisive pairs", about_decisive(report), decisive(report), "wide");
   all += card("What this holds for", "The verdict is about these games and no others.", keys(report), "wide");
-  return all + "</div>\n</main></body></html>\n";
+  return html_page(headline, kContestStyle, all + "</div>\n");
 }
 
 }  // namespace sim::report

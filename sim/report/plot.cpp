@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "robot/core/text.h"
+#include "sim/report/page.h"
 
 namespace sim::report {
 namespace {
@@ -31,20 +32,6 @@ std::vector<double> ticks_between(double low, double high, int count) {
 }
 
 }  // namespace
-
-std::string escaped(const std::string& plain) {
-  std::string all;
-  for (const char c : plain) {
-    switch (c) {
-      case '&': all += "&amp;"; break;
-      case '<': all += "&lt;"; break;
-      case '>': all += "&gt;"; break;
-      case '"': all += "&quot;"; break;
-      default: all += c;
-    }
-  }
-  return all;
-}
 
 Plot::Plot(double left, double right, double bottom, double top)
     : left_(left), right_(right > left ? right : left + 1), bottom_(bottom), top_(top > bottom ? top : bottom + 1) {}

@@ -7,9 +7,6 @@
 
 namespace sim::report {
 
-/// Escapes text for a page: "&lt;" for "<" and so on.
-std::string escaped(const std::string& text);
-
 /// A plot with axes. Coordinates are in the units of the data.
 class Plot {
  public:

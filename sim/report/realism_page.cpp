@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "robot/core/text.h"
-#include "sim/report/plot.h"
+#include "sim/report/page.h"
 #include "sim/report/realism.h"
 
 namespace sim::report {
@@ -10,28 +10,16 @@ namespace {
 
 using robot::formatted;
 
-constexpr const char* kStyle = R"(
-:root { color-scheme: light dark; --page: #f6f7f9; --card: #fff; --ink: #14181f; --soft: #5b6472; --line: #dfe3e9;
-  --real: #9fc3ee; --good: #137a4b; --bad: #b3261e; --open: #8a6100; }
-@media (prefers-color-scheme: dark) {
-  :root { --page: #10141a; --card: #181d25; --ink: #e8ecf2; --soft: #9aa5b5; --line: #2b323d;
-    --real: #2f5485; --good: #4fc38a; --bad: #ff8a80; --open: #e3b341; } }
-body { margin: 0; padding: 28px 20px 48px; background: var(--page); color: var(--ink);
-  font: 15px/1.45 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; font-variant-numeric: tabular-nums; }
-main { max-width: 1080px; margin: 0 auto; }
-h1 { font-size: 25px; line-height: 1.3; margin: 0 0 6px; }
-.soft, th { color: var(--soft); font-size: 13.5px; font-weight: 500; }
-.card { background: var(--card); border: 1px solid var(--line); border-radius: 10px; padding: 10px 16px; overflow-x: auto; }
-table { border-collapse: collapse; width: 100%; } th, td { padding: 4px 14px 4px 0; text-align: left; white-space: nowrap; }
-tr + tr > * { border-top: 1px solid var(--line); } td.number { text-align: right; } td.plot { width: 320px; }
-svg { display: block; width: 320px; height: 26px; }
+constexpr const char* kRealismStyle = R"(
+:root { --real: #9fc3ee; } @media (prefers-color-scheme: dark) { :root { --real: #2f5485; } }
+.card { padding: 10px 16px; overflow-x: auto; } th, td { padding: 4px 14px 4px 0; text-align: left; white-space: nowrap; }
+td.number { text-align: right; } td.plot { width: 320px; } svg { display: block; width: 320px; height: 26px; }
 .interval { fill: var(--real); } .mean { stroke: var(--ink); stroke-width: 1.5; } .axis { stroke: var(--line); }
 .yes { color: var(--good); fill: var(--good); stroke: var(--good); } .no { color: var(--bad); fill: var(--bad); stroke: var(--bad); }
 .open { color: var(--open); fill: var(--open); stroke: var(--open); } td.yes, td.no, td.open { stroke: none; }
-@media print { body { padding: 0; background: #fff; } tr { break-inside: avoid; } }
 )";
 
-constexpr double kWidth = 320, kMiddle = 13;  // [px]
+constexpr double kBarWidth = 320, kBarMiddle = 13;  // [px]
 
 const char* style_of(const RealismRow& row) { return !row.inside ? "open" : *row.inside ? "yes" : "no"; }
 const char* verdict_of(const RealismRow& row) {
@@ -45,11 +33,12 @@ std::string drawing(const RealismRow& row) {
   double most = row.real.mean;
   if (row.real.interval) most = std::max(most, row.real.interval->high);
   if (known) most = std::max(most, row.measured.mean + row.measured.error);
-  const auto x = [&](double value) { return most > 0 ? std::max(0., value) / (1.05 * most) * kWidth : 0; };
+  const auto x = [&](double value) { return most > 0 ? std::max(0., value) / (1.05 * most) * kBarWidth : 0; };
 
-  std::string all = formatted("<svg viewBox=\"0 0 %.0f 26\" role=\"img\" aria-label=\"%s: %s\">", kWidth,
+  std::string all = formatted("<svg viewBox=\"0 0 %.0f 26\" role=\"img\" aria-label=\"%s: %s\">", kBarWidth,
                               escaped(row.real.about).c_str(), verdict_of(row));
-  all += formatted("<line class=\"axis\" x1=\"0\" x2=\"%.0f\" y1=\"%.0f\" y2=\"%.0f\"/>", kWidth, kMiddle, kMiddle);
+  all += formatted("<line class=\"axis\" x1=\"0\" x2=\"%.0f\" y1=\"%.0f\" y2=\"%.0f\"/>", kBarWidth, kBarMiddle,
+                   kBarMiddle);
   if (row.real.interval)
     all += formatted("<rect class=\"interval\" x=\"%.1f\" width=\"%.1f\" y=\"5\" height=\"16\" rx=\"3\"/>",
                      x(row.real.interval->low), x(row.real.interval->high) - x(row.real.interval->low));
@@ -57,10 +46,10 @@ std::string drawing(const RealismRow& row) {
                    x(row.real.mean));
   if (known) {
     all += formatted("<line class=\"%s\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.0f\" y2=\"%.0f\"/>", style_of(row),
-                     x(row.measured.mean - row.measured.error), x(row.measured.mean + row.measured.error), kMiddle,
-                     kMiddle);
+                     x(row.measured.mean - row.measured.error), x(row.measured.mean + row.measured.error), kBarMiddle,
+                     kBarMiddle);
     all += formatted("<circle class=\"%s\" cx=\"%.1f\" cy=\"%.0f\" r=\"5\"/>", style_of(row), x(row.measured.mean),
-                     kMiddle);
+                     kBarMiddle);
   }
   return all + "</svg>";
 }
@@ -82,10 +71,7 @@ std::string row_of(const RealismRow& row) {
 std::string page_of(const Realism& realism, const std::string& about) {
   const std::string headline =
       formatted("%zu of %zu figures lie inside the interval of real games", realism.inside(), realism.judged());
-  std::string all =
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      headline + "</title>\n<style>" + kStyle + "</style></head>\n<body><main>\n<h1>" + headline + "</h1>\n";
+  std::string all = "<h1>" + headline + "</h1>\n";
   all += "<p class=\"soft\">" + escaped(about) + " " +
          formatted(
              "Bar: the interval of real games (%s); line: their mean; dot: the %s mean of %zu windows ± one standard "
@@ -94,7 +80,7 @@ std::string page_of(const Realism& realism, const std::string& about) {
          "</p>\n<div class=\"card\"><table>\n<tr><th>figure</th><th>drawn from 0</th><th>real</th><th>" +
          escaped(realism.measured) + "</th><th>unit</th><th>verdict</th></tr>\n";
   for (const RealismRow& row : realism.rows) all += row_of(row);
-  return all + "</table></div>\n</main></body></html>\n";
+  return html_page(headline, kRealismStyle, all + "</table></div>\n");
 }
 
 }  // namespace sim::report

@@ -1,6 +1,7 @@
 // node tests/bench/run.mjs NAME [--seconds N] [--minutes N] [--speed N] [--games N] [--kills N] [--jobs N] [--probes N] [--length N] [--large N] [--rollouts N] [--choices N] [--moments N] [--files N]; see scripts/bench.
 import { budget } from "./budget.mjs";
 import { compare } from "./compare.mjs";
+import { debuggerTimes } from "./debugger.mjs";
 import { deploy } from "./deploy.mjs";
 import { door } from "./door.mjs";
 import { equivalence } from "./equivalence.mjs";
@@ -48,6 +49,7 @@ const benches = {
   verdicts,
   thesis,
   foresight,
+  debugger: debuggerTimes,
   mcap,
 };
 

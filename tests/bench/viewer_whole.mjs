@@ -5,7 +5,7 @@ import { openPage, state } from "./pages.mjs";
 import { scratch, sleep, start } from "./programs.mjs";
 
 const kPatience = 120; // [s]
-const kFirstLine = [0x56, 0xb4, 0xe9]; // src/draw/plot.ts
+const kFirstLine = [0x00, 0x7a, 0xad]; // in the light theme: src/draw/plot.ts
 
 /** A simulated game of two teams of five, `minutes` long, as one recording of all beliefs and actions of its robots. */
 export async function recordGame(minutes) {

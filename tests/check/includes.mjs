@@ -105,6 +105,7 @@ export const rows = {
     "robot/core",
   ],
   "sim/report": [
+    "sim/debug",
     "sim/math",
     "sim/field",
     "sim/world",

@@ -1,9 +1,10 @@
 // foresight-sim why, whynot and debug from outside: answers, a script, and the exit status of bad input.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { bin } from "./support.mjs";
+import { bin, temporaryFolder } from "./support.mjs";
 
 const sim = (args, input = "") => spawnSync(join(bin, "foresight-sim"), args, { input, encoding: "utf8" });
 
@@ -41,11 +42,95 @@ test("a script goes to a moment, changes it and compares the futures", () => {
   assert.equal(sim(["debug", "--seed", "7"], script).stdout, stdout, "the same script has the same answers");
 });
 
+test("coverage tells what each part of a tree does, as text, as JSON and as a page", (t) => {
+  const page = join(temporaryFolder(t), "coverage.html");
+  const few = ["coverage", "--games", "4", "--seconds", "60"];
+  const { status, stdout, stderr } = sim([...few, "--html", page]);
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /^The tree baseline of the home side against baseline, 4 games from seed 1\.\n/);
+  assert.match(stdout, /\nnever reached\n/);
+  assert.match(readFileSync(page, "utf8"), /^<!doctype html>/);
+  const { parts, games } = JSON.parse(sim([...few, "--json"]).stdout);
+  assert.equal(games, 4);
+  assert.equal(parts[0].path, "baseline");
+  assert.equal(sim([...few, "--threads", "1"]).stdout, stdout, "the number of threads changes nothing");
+});
+
+test("breakpoints are kept in a file, and a wrong one is named by its line", (t) => {
+  const file = join(temporaryFolder(t), "breakpoints");
+  const debug = (script) => sim(["debug", "--seed", "7", "--breakpoints", file], script);
+  const set = debug("robot 14/2\nbreak skill changes\nbreak our goal\nunbreak 2\nbreak 5/3 falls\n");
+  assert.equal(set.status, 0, set.stderr);
+  assert.equal(readFileSync(file, "utf8"), "14/2 skill changes\n5/3 falls\n");
+  const { stdout } = debug("break\ncontinue\n");
+  assert.match(stdout, /^ {2}1 {2}14\/2 skill changes\n {2}2 {2}5\/3 falls\nat .*\nbreakpoint [12]: /);
+  writeFileSync(file, "# what we look for\nour goal\n\n14/2 flies\n");
+  const wrong = debug("break\n");
+  assert.equal(wrong.status, 2);
+  assert.match(wrong.stderr, /breakpoints, line 4: expected a fact about the game or a robot, got 'flies'/);
+});
+
+/** Reads a log of BehaviorTree.CPP's FileLogger2, by its description: the XML, and the changes [{us, uid, status}]. */
+function readBtlog(bytes) {
+  assert.equal(bytes.subarray(0, 18).toString(), "BTCPP4-FileLogger2");
+  assert.equal(bytes[18], 1, "the protocol");
+  const size = bytes.readInt32LE(19);
+  const xml = bytes.subarray(23, 23 + size).toString();
+  const first = 23 + size + 8;
+  assert.equal((bytes.length - first) % 9, 0);
+  const changes = [];
+  for (let at = first; at < bytes.length; at += 9)
+    changes.push({ us: bytes.readUIntLE(at, 6), uid: bytes.readUInt16LE(at + 6), status: bytes[at + 8] });
+  return { xml, changes };
+}
+
+test("the decisions of a robot are a table, and a log for Groot2 with the same skills", async (t) => {
+  const folder = temporaryFolder(t);
+  const game = ["decisions", "--seed", "7", "--seconds", "90", "--robot", "14/2"];
+  const [csv, log] = [join(folder, "striker.csv"), join(folder, "striker.btlog")];
+  for (const out of [csv, log]) {
+    const { status, stderr } = sim([...game, "--out", out]);
+    assert.equal(status, 0, stderr);
+  }
+  const [head, ...rows] = readFileSync(csv, "utf8").trim().split("\n");
+  assert.match(head, /^time \[s\],skill,role,leaf,.*ball_distance \[m\]/);
+  assert.equal(sim(game).stdout.trim().split("\n").length, rows.length + 1);
+
+  const { xml, changes } = readBtlog(readFileSync(log));
+  const { status, stderr } = spawnSync("python3", ["-c", "import sys, xml.dom.minidom as d; d.parse(sys.stdin)"], {
+    input: xml,
+    encoding: "utf8",
+  });
+  assert.equal(status, 0, `the XML is well formed: ${stderr}`);
+  const actions = new Map(
+    [...xml.matchAll(/<Action ID="(\w+)" name="[^"]*" _uid="(\d+)"/g)].map(([, skill, uid]) => [Number(uid), skill]),
+  );
+  // the skill at each time, by the log
+  const begun = changes
+    .filter(({ uid, status }) => status === 1 && actions.has(uid))
+    .map(({ us, uid }) => `${(us / 1e6).toFixed(2)} ${actions.get(uid)}`);
+  const told = new Set(rows.map((row) => row.split(",")).map(([time, skill]) => `${Number(time).toFixed(2)} ${skill}`));
+  assert.ok(begun.length > 10, `${begun.length} skills`);
+  for (const moment of begun) assert.ok(told.has(moment), moment);
+});
+
 test("bad input is one sentence with exit status 2, and a script names the line", () => {
   const cases = [
     [["why", "--at", "60", "--robot", "15/2"], "", /--robot: expected home\/N, away\/N, 14\/N or 5\/N/],
     [["why", "--at", "6000", "--robot", "14/2"], "", /--at: the game ends [\d.]+ s after its first tick, got 6000/],
     [["whynot", "--at", "60", "--robot", "14/2", "--skill", "dribbel"], "", /did you mean 'dribble'\?/],
+    [["coverage", "--home", "pipe:true"], "", /'pipe:true' is no decision tree/],
+    [["coverage", "--games", "1", "--seconds", "1"], "", /no robot decided in play; play more or longer games/],
+    [
+      ["decisions", "--robot", "14/9"],
+      "",
+      /--robot: expected home\/N, away\/N, 14\/N or 5\/N, N from 1 to 4, got '14\/9'/,
+    ],
+    [
+      ["decisions", "--robot", "14/2", "--out", "a.txt"],
+      "",
+      /--out: expected a name that ends with .csv or .btlog, got 'a.txt'/,
+    ],
     [["debug", "--home", "pipe:true"], "", /'pipe:true' is no decision tree, and the debugger needs one/],
     [["debug"], "goto 40\nuntil ball_xx > 1\n", /line 2: expected a fact .*did you mean 'ball_x'\?/],
   ];

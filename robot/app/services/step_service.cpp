@@ -55,15 +55,15 @@ json answer(const json& request, const logging::StreamOf& open) {
   const auto from_ns = number_in_text<std::uint64_t>(request, "from_ns");
   if (!from_ns) return refused("'from_ns' must be a text with a whole number");
   const auto named = request.find("by");
-  const auto by = named == request.end() ? std::nullopt : whole_number(*named);
-  if (!by || *by < -kLongestStep || *by > kLongestStep)
+  constexpr std::int64_t none = kLongestStep + 1;
+  const std::int64_t by = named == request.end() ? none : whole_number(*named).value_or(none);
+  if (by < -kLongestStep || by > kLongestStep)
     return refused("'by' must be a whole number from " + std::to_string(-kLongestStep) + " to " +
                    std::to_string(kLongestStep));
   const auto stream = open(topic->get<std::string>());
   if (!stream) return refused("topic '" + topic->get<std::string>() + "' is not played");
   if (const auto opened = stream->open(); !opened) return refused(opened.error());
-  const Result<std::uint64_t> at_ns =
-      *by < 0 ? time_before(*stream, *from_ns, -*by) : time_after(*stream, *from_ns, *by);
+  const Result<std::uint64_t> at_ns = by < 0 ? time_before(*stream, *from_ns, -by) : time_after(*stream, *from_ns, by);
   if (!at_ns) return refused(at_ns.error());
   return {{"ok", true}, {"at_ns", std::to_string(*at_ns)}};
 }

@@ -110,6 +110,37 @@ TEST_F(SessionTest, ComparesFuturesWithAndWithoutTheEditsOfAMoment) {
   EXPECT_NE(text.find("they part at 40.0"), std::string::npos) << text;
 }
 
+TEST_F(SessionTest, GoesToTheNearestOfItsBreakpoints) {
+  EXPECT_EQ(run("break"), "no breakpoints\n");
+  EXPECT_EQ(error("continue"), "continue: there is no breakpoint; 'break CONDITION' sets one");
+  run("goto 20"), run("robot 14/2");
+  const Tick begin = session_.now();
+  std::vector<Tick> moments;
+  for (const char* condition : {"skill changes", "our touch"}) {
+    run("until " + std::string(condition));
+    moments.push_back(session_.now());
+    run("goto 20");
+    EXPECT_NE(run("break " + std::string(condition)), "");
+  }
+  EXPECT_EQ(run("break"), "  1  14/2 skill changes\n  2  our touch\n");
+  EXPECT_EQ(session_.breakpoints(), (std::vector<std::string>{"14/2 skill changes", "our touch"}));
+  run("robot 5/2");  // a breakpoint keeps its robot
+  const std::string there = run("continue");
+  EXPECT_EQ(session_.now(), std::min(moments[0], moments[1]));
+  EXPECT_NE(there.find(moments[0] <= moments[1] ? "breakpoint 1: 14/2 skill changes\n" : "breakpoint 2: our touch\n"),
+            std::string::npos)
+      << there;
+  const Tick first = session_.now();
+  run("continue"), run("reverse-continue");
+  EXPECT_EQ(session_.now(), first);
+  EXPECT_GT(first, begin);
+  EXPECT_EQ(run("unbreak 1"), "");
+  EXPECT_EQ(run("break"), "  1  our touch\n");
+  EXPECT_EQ(error("unbreak 2"), "unbreak: expected the number of a breakpoint, got '2'; 'break' lists them");
+  run("unbreak 1"), run("break ball_x > 14 m");
+  EXPECT_EQ(error("continue"), "no breakpoint is met after this moment");
+}
+
 TEST_F(SessionTest, BadInputIsOneSentenceAndChangesNothing) {
   run("goto 40");
   EXPECT_EQ(error("gto 3"), "no command 'gto'; did you mean 'goto'?");

@@ -50,6 +50,17 @@ TEST(Stop, BackFindsTheSameMomentsAsForward) {
   }
 }
 
+TEST(Stop, ItsTextMeansTheSameForEveryFocus) {
+  Timeline timeline = timeline_of(setup_of("baseline", "passing", 60), 3);
+  for (const char* text :
+       {"skill changes", "not ball_known and our touch or 5/2 falls", "not home/3 ball_error > 0.5 m"}) {
+    const Stop stop = parsed(text, 2), again = parsed(text_of(stop), 7);
+    EXPECT_EQ(text_of(again), text_of(stop));
+    EXPECT_EQ(all_stops(timeline, again), all_stops(timeline, stop)) << text_of(stop);
+  }
+  EXPECT_EQ(text_of(parsed("not ball_known and our touch", 2)), "not 14/3 ball_known and our touch");
+}
+
 TEST(Stop, StopsAtTheFirstStateInWhichAFactAboutTheGameHolds) {
   const SharedSetup setup = setup_of("baseline", "baseline", 60);
   Timeline timeline = timeline_of(setup, 3);

@@ -8,6 +8,7 @@
 
 #include "robot/core/json_library.h"
 #include "sim/report/contest_report.h"
+#include "sim/report/page.h"
 #include "sim/report/plot.h"
 
 namespace sim::report {
