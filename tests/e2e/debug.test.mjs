@@ -141,3 +141,49 @@ test("bad input is one sentence with exit status 2, and a script names the line"
     assert.equal(stderr.trim().split("\n").length, 1, stderr);
   }
 });
+
+test("the recorded beliefs through the same tree give the recorded decisions, and through another one others", async (t) => {
+  const folder = temporaryFolder(t);
+  const [game, table, expected] = ["game.mcap", "decisions.csv", "expected"].map((name) => join(folder, name));
+  const made = sim(["match", "--seed", "7", "--rules", "spl2025:5,halves=1,half_duration=60", "--mcap", game]);
+  assert.equal(made.status, 0, made.stderr);
+  const lab = (...args) => spawnSync(join(bin, "foresight-lab"), ["redecide", game, ...args], { encoding: "utf8" });
+
+  let [all, different] = [0, 0];
+  for (const robot of ["14/1", "14/2", "14/3", "5/2"]) {
+    const { status, stdout, stderr } = lab("--robot", robot, "--strategy", "baseline");
+    assert.equal(status, 0, stderr);
+    const [, decided, otherwise] = /^\S+: (\d+) decisions in play by baseline; baseline decides (\d+) of them/.exec(
+      stdout,
+    );
+    all += Number(decided);
+    different += Number(otherwise);
+  }
+  assert.ok(all > 500 && different / all < 0.02, `${different} of ${all}`);
+
+  const other = lab("--robot", "14/2", "--strategy", "high_line", "--csv", table);
+  assert.equal(other.status, 0, other.stderr);
+  assert.match(other.stdout, /\n +[\d.]+ \.\. [\d.]+ +s {2}\w+.* -> /);
+  const [head, first] = readFileSync(table, "utf8").split("\n");
+  assert.equal(head, "time [s],recorded skill,recorded leaf,skill,leaf,where they part");
+  const [time, skill] = first.split(",");
+  writeFileSync(expected, `at ${time} s: ${skill}\n0 .. 3600 s: not stand\n`);
+  const holds = lab("--robot", "14/2", "--strategy", "baseline", "--expect", expected);
+  assert.equal(holds.status, 0, holds.stdout);
+  assert.match(holds.stdout, /2 of 2 expectations hold/);
+  writeFileSync(expected, `at ${time} s: not ${skill}\n`);
+  const broken = lab("--robot", "14/2", "--strategy", "baseline", "--expect", expected);
+  assert.equal(broken.status, 1);
+  assert.match(broken.stdout, /broken: line 1, '.*': at [\d.]+ s it plays /);
+
+  writeFileSync(expected, "at 5 s: kik\n");
+  for (const [args, sentence] of [
+    [["--strategy", "baselin"], /no strategy 'baselin'/],
+    [["--strategy", "baseline", "--robot", "14/9"], /has no decisions of robot 14\/9/],
+    [["--strategy", "baseline", "--expect", expected], /expected, line 1: .*did you mean 'kick'/],
+  ]) {
+    const { status, stderr } = lab(...args);
+    assert.equal(status, 2, args.join(" "));
+    assert.match(stderr, sentence);
+  }
+});

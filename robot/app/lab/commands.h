@@ -18,6 +18,7 @@ std::unique_ptr<Command> import_command(CLI::App& app);
 std::unique_ptr<Command> info_command(CLI::App& app);
 std::unique_ptr<Command> play_command(CLI::App& app);
 std::unique_ptr<Command> relay_command(CLI::App& app);
+std::unique_ptr<Command> redecide_command(CLI::App& app);
 std::unique_ptr<Command> what_if_command(CLI::App& app);
 std::unique_ptr<Command> synthesize_command(CLI::App& app);
 

@@ -11,9 +11,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kName = "message_beside";
+constexpr const char* kStepService = "message_beside";
 
-json refused(const std::string& sentence) { return net::failure(std::string(kName) + ": " + sentence); }
+json no_step(const std::string& sentence) { return net::failure(std::string(kStepService) + ": " + sentence); }
 
 /// Returns the capture time [ns] of the next message, or nothing at the stream's end.
 std::optional<std::uint64_t> next_time(logging::InProvider& stream) {
@@ -51,20 +51,20 @@ Result<std::uint64_t> time_before(logging::InProvider& stream, std::uint64_t fro
 
 json answer(const json& request, const logging::StreamOf& open) {
   const auto topic = request.find("topic");
-  if (topic == request.end() || !topic->is_string()) return refused("'topic' must be a text");
+  if (topic == request.end() || !topic->is_string()) return no_step("'topic' must be a text");
   const auto from_ns = number_in_text<std::uint64_t>(request, "from_ns");
-  if (!from_ns) return refused("'from_ns' must be a text with a whole number");
+  if (!from_ns) return no_step("'from_ns' must be a text with a whole number");
   const auto named = request.find("by");
   constexpr std::int64_t none = kLongestStep + 1;
   const std::int64_t by = named == request.end() ? none : whole_number(*named).value_or(none);
   if (by < -kLongestStep || by > kLongestStep)
-    return refused("'by' must be a whole number from " + std::to_string(-kLongestStep) + " to " +
+    return no_step("'by' must be a whole number from " + std::to_string(-kLongestStep) + " to " +
                    std::to_string(kLongestStep));
   const auto stream = open(topic->get<std::string>());
-  if (!stream) return refused("topic '" + topic->get<std::string>() + "' is not played");
-  if (const auto opened = stream->open(); !opened) return refused(opened.error());
+  if (!stream) return no_step("topic '" + topic->get<std::string>() + "' is not played");
+  if (const auto opened = stream->open(); !opened) return no_step(opened.error());
   const Result<std::uint64_t> at_ns = by < 0 ? time_before(*stream, *from_ns, -by) : time_after(*stream, *from_ns, by);
-  if (!at_ns) return refused(at_ns.error());
+  if (!at_ns) return no_step(at_ns.error());
   return {{"ok", true}, {"at_ns", std::to_string(*at_ns)}};
 }
 
@@ -72,7 +72,7 @@ json answer(const json& request, const logging::StreamOf& open) {
 
 void add_step_service(net::Services& services, logging::StreamOf open) {
   services.add(
-      kName, net::Services::For::control,
+      kStepService, net::Services::For::control,
       [open = std::move(open)](const json& request, const net::ClientContext&) { return answer(request, open); });
 }
 
