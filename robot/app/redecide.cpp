@@ -205,8 +205,8 @@ std::string parting(const Redecision& decision) {
       return "where '" + one.condition() + "' was asked, it asks '" + other.condition() + "'";
     if (one.result() == other.result()) continue;
     const std::string was = value_of(one), is = value_of(other);
-    return one.condition() + ": recorded " + yes_or_no(one.result()) + " (" + was + "), now " +
-           yes_or_no(other.result()) + " (" + is + ")";
+    return formatted("%s: recorded %s (%s), now %s (%s)", one.condition().c_str(), yes_or_no(one.result()), was.c_str(),
+                     yes_or_no(other.result()), is.c_str());
   }
   return now.empty() ? "the tree was not asked" : "another skill or other arguments at the same place of the tree";
 }

@@ -57,6 +57,8 @@ struct Visits {
 struct Asked {
   std::int64_t yes = 0, no = 0;
   std::int64_t unknown = 0;  // of `no`: the robot did not know a value
+
+  std::int64_t times() const { return yes + no; }
 };
 
 /// The coverage of a tree by games.

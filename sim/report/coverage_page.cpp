@@ -97,7 +97,7 @@ std::string page_of(const CoverageReport& report) {
       const debug::Asked& asked = report.coverage.comparisons[node];
       all += "<tr><td>" + escaped(report.parts.tree().node_words[node].condition) + "</td><td>" +
              (asked.yes > 0 ? "yes" : "no") +
-             formatted("</td><td>%lld</td></tr>\n", static_cast<long long>(asked.yes + asked.no));
+             formatted("</td><td>%lld</td></tr>\n", static_cast<long long>(asked.times()));
     }
     all += "</table></div>\n";
   }

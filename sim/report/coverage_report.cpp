@@ -48,8 +48,7 @@ std::string part_line(const CoverageReport& report, std::size_t number) {
 }
 
 std::string answers_of(const Asked& asked) {
-  std::string text =
-      formatted("%s, %lld times", asked.yes > 0 ? "yes" : "no", static_cast<long long>(asked.yes + asked.no));
+  std::string text = formatted("%s, %lld times", asked.yes > 0 ? "yes" : "no", static_cast<long long>(asked.times()));
   if (asked.unknown == asked.no && asked.no > 0) text += ", because the value is unknown";
   return text;
 }
