@@ -404,6 +404,13 @@ test("forecasts are listed and follow the page's time; the field can show them a
   await until(
     async () => !(await isMarked()) && (await page.locator("li[aria-current]").count()) === 1,
     "another one held then",
+    undefined,
+    async () => [
+      await isMarked(),
+      await history.allTextContents(),
+      await page.locator("li[aria-current]").count(),
+      page.url(),
+    ],
   );
 
   await page.getByRole("link", { name: "field", exact: true }).click();
