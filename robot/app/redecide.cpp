@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <functional>
+#include <memory>
+#include <set>
 
 #include "robot/agent/agent.h"
+#include "robot/core/csv.h"
 #include "robot/core/text.h"
 #include "robot/logging/sessions/read_all.h"
 #include "sim/io/vocabulary.h"
@@ -39,35 +42,32 @@ class Cursor {
 /// The beliefs of a robot as they were recorded.
 class Beliefs {
  public:
-  Beliefs(const logging::Session& session, const std::string& robot)
-      : ball_(session, "/" + robot + "/ball"),
-        pose_(session, "/" + robot + "/pose"),
-        team_(session, "/" + robot + "/team"),
-        opponents_(session, "/" + robot + "/opponents"),
-        vision_(session, "/" + robot + "/vision"),
-        game_(session, "/" + robot + "/game"),
-        motion_(session, "/" + robot + "/motion_status") {}
+  Beliefs(const logging::Session& session, const std::string& robot) {
+    bridge::Recollection::visit(
+        now_, [&]<class Message>(const char* name, std::optional<bridge::Remembered<Message>>& newest) {
+          auto cursor = std::make_shared<Cursor<Message>>(session, "/" + robot + "/" + name);
+          if (cursor->empty()) missing_.insert(name);
+          movers_.push_back([cursor, &newest](std::uint64_t now_ns) { cursor->move_to(now_ns, newest); });
+        });
+  }
+  Beliefs(const Beliefs&) = delete;
+  Beliefs& operator=(const Beliefs&) = delete;
 
   /// Returns the name of a necessary object that was not recorded, or nullptr.
-  const char* missing() const { return pose_.empty() ? "pose" : game_.empty() ? "game" : nullptr; }
+  const char* missing() const {
+    return missing_.contains("pose") ? "pose" : missing_.contains("game") ? "game" : nullptr;
+  }
 
   const bridge::Recollection& at(std::uint64_t now_ns) {
     now_.now_ns = now_ns;
-    ball_.move_to(now_ns, now_.ball), pose_.move_to(now_ns, now_.pose), team_.move_to(now_ns, now_.team);
-    opponents_.move_to(now_ns, now_.opponents), vision_.move_to(now_ns, now_.vision);
-    game_.move_to(now_ns, now_.game), motion_.move_to(now_ns, now_.motion);
+    for (const auto& move : movers_) move(now_ns);
     return now_;
   }
 
  private:
-  Cursor<pb::Ball> ball_;
-  Cursor<pb::Pose> pose_;
-  Cursor<pb::Team> team_;
-  Cursor<pb::Opponents> opponents_;
-  Cursor<pb::Vision> vision_;
-  Cursor<pb::GameState> game_;
-  Cursor<pb::MotionStatus> motion_;
   bridge::Recollection now_;
+  std::vector<std::function<void(std::uint64_t)>> movers_;  // one for each object of `now_`
+  std::set<std::string> missing_;
 };
 
 const std::string& leaf_of(const pb::DecisionTrace& trace) {
@@ -93,13 +93,6 @@ std::string value_of(const pb::DecisionTrace::Node& node) {
 }
 
 const char* yes_or_no(bool result) { return result ? "yes" : "no"; }
-
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string all = "\"";
-  for (const char c : text) all.append(c == '"' ? 2 : 1, c);
-  return all + "\"";
-}
 
 /// Reads "12.5" at the front of `text`, and the blanks behind it.
 std::optional<double> take_seconds(std::string_view& text) {

@@ -4,12 +4,10 @@
 
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
-#include "sim/app/commands.h"
+#include "sim/app/debugged_game.h"
 #include "sim/app/progress.h"
-#include "sim/contest/openings.h"
 #include "sim/contest/repetition.h"
 #include "sim/contest/series.h"
-#include "sim/debug/setup.h"
 #include "sim/match/hash.h"
 #include "sim/report/coverage_report.h"
 
@@ -22,18 +20,13 @@ class CoverageCommand final : public Command {
       : Command(app.add_subcommand(
             "coverage",
             "how often each part of a tree runs over many games, what follows, and what is never reached")) {
-    choice_.add_to(options());
+    game_.add_to(options());
     options().add_option("--games", games_, "number of games")->check(CLI::Range(1, 1'000'000))->capture_default_str();
-    options()
-        .add_option("--seed", seed_, "seed of the first game")
-        ->check(CLI::Range(std::uint64_t{0}, kMostSeed))
-        ->capture_default_str();
-    options().add_option("--from", from_, "start of the games: name or file of a described moment");
     options()
         .add_option("--side", side_, "watch the tree of this side's player 1")
         ->check(CLI::IsMember({"home", "away"}))
         ->capture_default_str();
-    options().add_option("--seconds", seconds_, "[s] length of a game; 0: to its end")->check(CLI::Range(0., 36000.));
+    add_length(options(), seconds_);
     options()
         .add_option("--threads", threads_, "games at a time; 0: one for each processor")
         ->check(CLI::Range(0, 1024))
@@ -43,23 +36,22 @@ class CoverageCommand final : public Command {
   }
 
   int run() override {
-    const auto setup = debug::prepare(choice_.lineup_choice());
-    if (!setup) return fail(setup.error());
-    const Params& params = (*setup)->params;
-    const auto openings = contest::Openings::read(from_, false, params);
-    if (!openings) return fail(openings.error());
+    const auto game = game_.prepare();
+    if (!game) return fail(game.error());
+    const Params& params = game->params();
     const Side side = side_ == "home" ? Side::home : Side::away;
     const agent::TreeBehaviour& behaviour = *debug::tree_of(params, side == Side::home ? 0 : kMaxPlayers);
     const debug::Parts parts(behaviour.tree());
 
-    const debug::Coverage coverage = watch(params, *openings, side, parts);
+    const debug::Coverage coverage = watch(params, game->openings, side, parts);
     if (coverage.parts.front().decisions == 0) return fail("no robot decided in play; play more or longer games");
-    const io::Matchup choice = choice_.choice();
-    const report::CoverageReport report{
-        .parts = parts,
-        .coverage = coverage,
-        .about = "of the " + side_ + " side against " + choice.strategies[side == Side::home ? 1 : 0] + ", " +
-                 std::to_string(games_) + (games_ == 1 ? " game" : " games") + " from seed " + std::to_string(seed_)};
+    const io::Matchup choice = game_.choice();
+    const report::CoverageReport report{.parts = parts,
+                                        .coverage = coverage,
+                                        .about = "of the " + side_ + " side against " +
+                                                 choice.strategies[side == Side::home ? 1 : 0] + ", " +
+                                                 std::to_string(games_) + (games_ == 1 ? " game" : " games") +
+                                                 " from seed " + std::to_string(game_.seed())};
     if (!html_.empty())
       if (const auto written = robot::replace_file(html_, report::page_of(report)); !written)
         return fail(written.error());
@@ -79,23 +71,21 @@ class CoverageCommand final : public Command {
     contest::for_each_game(
         games_, threads_ > 0 ? threads_ : contest::threads_for(games_),
         [&](int game) {
-          State state = openings.begin(params, seed_ + static_cast<std::uint64_t>(game));
-          const Tick most = seconds_ > 0 ? ticks(static_cast<float>(seconds_)) : kNever;
-          const debug::Coverage seen = watch_game(params, state, side, parts, most);
+          State state = openings.begin(params, game_.seed() + static_cast<std::uint64_t>(game));
+          const debug::Coverage seen = watch_game(params, state, side, parts, length_of(seconds_));
           hashes[static_cast<std::size_t>(game)] = hash_of_game(state);
           const std::lock_guard locked(lock);
           sum.add(seen);
         },
         [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
-    warn_of_repetition(games_, contest::different_games(std::move(hashes)), choice_.choice());
+    warn_of_repetition(games_, contest::different_games(std::move(hashes)), game_.choice());
     return sum;
   }
 
-  ChoiceOptions choice_;
+  DebuggedGameOptions game_;
   int games_ = 100, threads_ = 0;
-  std::uint64_t seed_ = 1;
   double seconds_ = 0;
-  std::string from_, side_ = "home", html_;
+  std::string side_ = "home", html_;
   bool json_ = false;
 };
 

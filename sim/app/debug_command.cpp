@@ -4,9 +4,8 @@
 
 #include "robot/core/files.h"
 #include "robot/core/text.h"
-#include "sim/app/commands.h"
+#include "sim/app/debugged_game.h"
 #include "sim/app/line_editor.h"
-#include "sim/contest/openings.h"
 #include "sim/debug/session.h"
 
 namespace sim::app {
@@ -16,11 +15,7 @@ namespace {
 class GameOptions {
  public:
   void add_to(CLI::App& command) {
-    choice_.add_to(command);
-    command.add_option("--seed", seed_, "seed of all random numbers of the game")
-        ->check(CLI::Range(std::uint64_t{0}, kMostSeed))
-        ->capture_default_str();
-    command.add_option("--from", from_, "start of the game: name or file of a described moment");
+    game_.add_to(command);
     command.add_option("--at", at_, "moment: [s] since the first tick, or half:minutes:seconds on the clock");
     command.add_option("--robot", robot_, "robot: 14/3 or home/3");
     command.add_option("--home-team", teams_.home, "team number in the names of robots")
@@ -35,12 +30,9 @@ class GameOptions {
   robot::Result<debug::Session> begin() const {
     if (teams_.home == teams_.away)
       return robot::Error{"the teams must have different numbers, got " + std::to_string(teams_.home) + " twice"};
-    const auto setup = debug::prepare(choice_.lineup_choice());
-    if (!setup) return setup.failure();
-    const Params& params = (*setup)->params;
-    const auto openings = contest::Openings::read(from_, false, params);
-    if (!openings) return openings.failure();
-    debug::Session session(*setup, openings->begin(params, seed_), teams_);
+    const auto game = game_.prepare();
+    if (!game) return game.failure();
+    debug::Session session(game->setup, game->openings.begin(game->params(), game_.seed()), teams_);
     if (!robot_.empty())
       if (const auto done = session.run("robot " + robot_); !done) return done.failure("--robot");
     if (!at_.empty())
@@ -49,10 +41,9 @@ class GameOptions {
   }
 
  private:
-  ChoiceOptions choice_;
-  std::uint64_t seed_ = 1;
-  std::string from_, at_, robot_;
-  io::SituationTeams teams_{.home = 14, .away = 5};
+  DebuggedGameOptions game_;
+  std::string at_, robot_;
+  io::SituationTeams teams_ = kUsualTeams;
 };
 
 constexpr std::size_t kMostFile = 1'000'000;  // [bytes] of breakpoints

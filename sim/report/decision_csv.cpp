@@ -4,6 +4,7 @@
 #include <set>
 #include <string_view>
 
+#include "robot/core/csv.h"
 #include "robot/core/text.h"
 #include "sim/math/angles.h"
 
@@ -11,7 +12,7 @@ namespace sim::report {
 namespace {
 
 using agent::Feature, agent::FeatureInfo;
-using robot::formatted;
+using robot::csv_cell, robot::formatted;
 
 /// Returns the features that the tree reads, in the order of the table.
 std::set<Feature> features_of(const agent::Tree& tree) {
@@ -21,13 +22,6 @@ std::set<Feature> features_of(const agent::Tree& tree) {
     if (node.other != agent::kNoFeature) features.insert(node.other);
   }
   return features;
-}
-
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string all = "\"";
-  for (const char c : text) all.append(c == '"' ? 2 : 1, c);
-  return all + "\"";
 }
 
 std::string csv_value(const FeatureInfo& info, float value) {
