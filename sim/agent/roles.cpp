@@ -44,8 +44,9 @@ float time_for(const View& view, Vec2 ball, float far, Vec2 facing) {
   return distance / walk.forward + 0.5f * kPi / walk.turn_rate * (1 - to_ball.x) + 0.4f / walk.sideward * wrong_side;
 }
 
-/// Returns the time [s] that a teammate needs now. A chaser has come nearer since its message. A message from before
-/// the set play tells of the ball's former place: its time is estimated from the mate's own place.
+/// Returns the time [s] that a teammate needs now. A chaser has come nearer since its message. One that should have
+/// reached the ball has fallen or lost it: the longer ago that is, the less it counts. A message from before the set play
+/// tells of the ball's former place: its time is estimated from the mate's own place.
 float time_of(const View& view, const Mate& mate, Role role) {
   if (mate.sent < view.ball_put && view.ball_known) {
     const SinCos heading = sin_cos(mate.pose.heading);
@@ -54,7 +55,7 @@ float time_of(const View& view, const Mate& mate, Role role) {
   }
   const float since = static_cast<float>(view.now - mate.sent) * kTickDuration;
   const float progress = role == Role::chaser ? kProgress * since : 0;
-  return mate.time_to_ball() > progress ? mate.time_to_ball() - progress : 0;
+  return std::abs(mate.time_to_ball() - progress);
 }
 
 void set_role(Mind& mind, Role role, Tick now) {

@@ -3,10 +3,12 @@
 #include <filesystem>
 
 #include "robot/core/files.h"
+#include "robot/core/json_library.h"
 #include "robot/core/text.h"
 #include "sim/app/debugged_game.h"
 #include "sim/app/line_editor.h"
 #include "sim/debug/session.h"
+#include "sim/report/reasons.h"
 
 namespace sim::app {
 namespace {
@@ -49,12 +51,15 @@ class GameOptions {
 constexpr std::size_t kMostFile = 1'000'000;  // [bytes] of breakpoints
 
 /// Prints the answer to one line.
-int answer(const robot::Result<debug::Session>& begun, const std::string& line) {
-  if (!begun) return fail(begun.error());
-  debug::Session session = *begun;
+int answer(debug::Session& session, const std::string& line) {
   const auto text = session.run(line);
   if (!text) return fail(text.error());
   std::fputs(text->c_str(), stdout);
+  return kDone;
+}
+
+int print(const report::Json& json) {
+  std::printf("%s\n", json.dump(2).c_str());
   return kDone;
 }
 
@@ -66,12 +71,21 @@ class WhyCommand final : public Command {
     game_.add_to(options());
     options().get_option("--at")->required();
     options().get_option("--robot")->required();
+    options().add_flag("--json", json_, "answer as JSON");
   }
 
-  int run() override { return answer(game_.begin(), "why"); }
+  int run() override {
+    auto session = game_.begin();
+    if (!session) return fail(session.error());
+    if (!json_) return answer(*session, "why");
+    const auto explained = session->explain(session->focus());
+    if (!explained) return fail(explained.error());
+    return print(report::to_json(explained->why, *explained->tree, session->name_of(session->focus())));
+  }
 
  private:
   GameOptions game_;
+  bool json_ = false;
 };
 
 class WhynotCommand final : public Command {
@@ -83,13 +97,24 @@ class WhynotCommand final : public Command {
     options().get_option("--at")->required();
     options().get_option("--robot")->required();
     options().add_option("--skill", skill_, "skill, or the name of a rule of the tree")->required();
+    options().add_flag("--json", json_, "answer as JSON");
   }
 
-  int run() override { return answer(game_.begin(), "whynot " + skill_); }
+  int run() override {
+    auto session = game_.begin();
+    if (!session) return fail(session.error());
+    if (!json_) return answer(*session, "whynot " + skill_);
+    const auto explained = session->explain(session->focus());
+    if (!explained) return fail(explained.error());
+    const auto found = session->alternative(*explained, skill_);
+    if (!found) return fail(found.error());
+    return print(report::to_json(*found, *explained->tree, session->name_of(session->focus()), skill_));
+  }
 
  private:
   GameOptions game_;
   std::string skill_;
+  bool json_ = false;
 };
 
 class DebugCommand final : public Command {

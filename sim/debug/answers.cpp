@@ -1,8 +1,11 @@
 #include "sim/debug/answers.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "robot/core/text.h"
+#include "sim/io/words.h"
 
 namespace sim::debug {
 namespace {
@@ -13,14 +16,6 @@ constexpr const char* kDoing[] = {"stands",   "starts", "walks", "stops",   "kic
                                   "crouches", "squats", "lies",  "gets up", "is off the field"};
 
 double shown(float value) { return static_cast<double>(value); }
-
-/// Returns the new value as a bound: the nearest one is at the edge of what is needed.
-std::string bound_text(const NewValue& change) {
-  std::string value = value_text(change.feature, change.after);
-  const bool is_number = info_of(change.feature).kind == agent::FeatureInfo::Kind::number;
-  if (!is_number || std::isnan(change.after) || std::isnan(change.before)) return value;
-  return (change.after < change.before ? "at most " : "at least ") + value;
-}
 
 std::string features_text(const WhyNot& answer, const agent::Tree& tree) {
   const bool one = answer.values.size() == 1;
@@ -48,24 +43,63 @@ std::string thresholds_text(const std::vector<NewThreshold>& changes, const agen
 
 }  // namespace
 
-std::string text_of(const WhyNot& answer, const std::optional<std::vector<NewThreshold>>& thresholds,
-                    const std::optional<BeliefChange>& beliefs, const agent::Tree& tree, const std::string& name,
+robot::Result<Goal> goal_of(const std::string& text, const agent::Tree& tree) {
+  Goal goal(tree.leaves.size());
+  bool any = false;
+  for (std::size_t i = 0; i < goal.size(); ++i)
+    if (tree.leaf_words[i].name == text) goal[i] = any = true;
+  for (std::size_t i = 0; i < goal.size() && text.size() > 2; ++i)
+    if (tree.leaf_words[i].path.find("/" + text + "/") != std::string::npos) goal[i] = any = true;
+  if (any) return goal;
+  std::vector<std::string_view> known;
+  for (const agent::Words& words : tree.leaf_words)
+    if (std::ranges::find(known, words.name) == known.end()) known.emplace_back(words.name);
+  std::string all;
+  for (const std::string_view name : known) all.append(all.empty() ? "" : ", ").append(name);
+  const std::string hint = io::did_you_mean(text, known);
+  return robot::Error{"strategy '" + tree.name + "' has no skill or rule '" + text + "'" +
+                      (hint.empty() ? "; its skills are: " + all : hint)};
+}
+
+robot::Result<Alternative> alternative_to(const Params& params, const agent::Tree& tree, const Decision& decision,
+                                          const Goal& goal, const std::string& name) {
+  if (!agent::plays(decision.game))
+    return robot::Error{name + " asks its tree nothing, because " +
+                        (decision.game.penalised ? "it is penalised" : "the ball is not in play")};
+  const Thought thought(params, tree, decision);
+  const Values values = values_of(tree, thought.view());
+  Alternative answer{.features = why_not(tree, values, goal), .thresholds = {}, .beliefs = {}};
+  if (answer.features.kind == WhyNot::Kind::reached) return answer;
+  answer.thresholds = nearest_thresholds(tree, values, goal);
+  answer.beliefs = nearest_beliefs(params, tree, decision, goal);
+  return answer;
+}
+
+std::string bound_text(const NewValue& change) {
+  std::string value = value_text(change.feature, change.after);
+  const bool is_number = info_of(change.feature).kind == agent::FeatureInfo::Kind::number;
+  if (!is_number || std::isnan(change.after) || std::isnan(change.before)) return value;
+  return (change.after < change.before ? "at most " : "at least ") + value;
+}
+
+std::string text_of(const Alternative& answer, const agent::Tree& tree, const std::string& name,
                     const std::string& what) {
-  if (answer.kind == WhyNot::Kind::reached)
-    return name + " does play " + what + ": " + leaf_text(tree, answer.leaf) + "\n";
+  const WhyNot& features = answer.features;
+  if (features.kind == WhyNot::Kind::reached)
+    return name + " does play " + what + ": " + leaf_text(tree, features.leaf) + "\n";
   std::string text;
-  if (answer.kind == WhyNot::Kind::unreachable)
+  if (features.kind == WhyNot::Kind::unreachable)
     text = what + " is unreachable: no possible values of the features lead there\n";
-  else if (answer.kind == WhyNot::Kind::unsure)
+  else if (features.kind == WhyNot::Kind::unsure)
     text = "the tree is too large for a complete search, and no way to " + what + " was found\n";
   else
-    text = features_text(answer, tree);
-  if (thresholds) text += thresholds_text(*thresholds, tree);
-  if (beliefs) {
+    text = features_text(features, tree);
+  if (answer.thresholds) text += thresholds_text(*answer.thresholds, tree);
+  if (answer.beliefs) {
     text += "beliefs that do it, with all features computed anew:\n";
-    for (const std::string& change : beliefs->changes) text += "  " + change + "\n";
-    text += "  lead to " + leaf_text(tree, beliefs->leaf) + "\n";
-  } else if (answer.kind == WhyNot::Kind::changed) {
+    for (const std::string& change : answer.beliefs->changes) text += "  " + change + "\n";
+    text += "  lead to " + leaf_text(tree, answer.beliefs->leaf) + "\n";
+  } else if (features.kind == WhyNot::Kind::changed) {
     text += "no change of one or two beliefs was found that does it\n";
   }
   return text;

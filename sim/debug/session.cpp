@@ -7,11 +7,8 @@
 #include "robot/core/text.h"
 #include "sim/check/event.h"
 #include "sim/debug/answers.h"
-#include "sim/debug/belief_change.h"
 #include "sim/debug/command_words.h"
 #include "sim/debug/decision.h"
-#include "sim/debug/why.h"
-#include "sim/debug/why_not.h"
 #include "sim/io/saved_moment.h"
 #include "sim/io/vocabulary.h"
 #include "sim/io/words.h"
@@ -53,7 +50,7 @@ Result<std::string> Session::run(std::string_view line) {
   if (name == "unbreak") return remove_breakpoint(words);
   if (name == "continue") return run_to_breakpoint(words, true);
   if (name == "reverse-continue") return run_to_breakpoint(words, false);
-  if (name == "robot") return focus(words);
+  if (name == "robot") return put_in_focus(words);
   if (name == "why") return why(words);
   if (name == "whynot") return why_not(words);
   if (name == "show") return show_text(params(), timeline_.at(now_), [&](int robot) { return name_of(robot); });
@@ -225,7 +222,7 @@ Session::Answer Session::run_to_breakpoint(const Words& words, bool forward) {
   return *there + met;
 }
 
-Session::Answer Session::focus(const Words& words) {
+Session::Answer Session::put_in_focus(const Words& words) {
   if (words.size() != 2) return usage("robot");
   const auto robot = robot_in(words, 1);
   if (!robot) return robot.failure();
@@ -233,57 +230,41 @@ Session::Answer Session::focus(const Words& words) {
   return std::string();
 }
 
+Result<Explanation> Session::explain(int robot) {
+  const auto decision = decision_before(timeline_, now_, robot);
+  if (!decision) return Error{name_of(robot) + " has not decided yet"};
+  SharedSetup setup = timeline_.setup_at(decision->tick);
+  const agent::TreeBehaviour& behaviour = *tree_of(setup->params, robot);
+  Why reasons = debug::why(setup->params, behaviour, *decision, timeline_.at(decision->tick));
+  find_sources(setup->params, behaviour.tree(), reasons);
+  return Explanation{.setup = std::move(setup), .tree = &behaviour.tree(), .why = std::move(reasons)};
+}
+
 Session::Answer Session::why(const Words& words) {
   if (words.size() > 2) return usage("why");
   const auto robot = robot_in(words, 1);
   if (!robot) return robot.failure();
-  const auto decision = decision_before(timeline_, now_, *robot);
-  if (!decision) return Error{name_of(*robot) + " has not decided yet"};
-  const Params& played = timeline_.setup_at(decision->tick)->params;
-  const agent::TreeBehaviour& behaviour = *tree_of(played, *robot);
-  const State state = timeline_.at(decision->tick);
-  Why reasons = debug::why(played, behaviour, *decision, state);
-  find_sources(played, behaviour.tree(), reasons);
-  return text_of(reasons, behaviour.tree(), name_of(*robot)) + "decided " + place_text(state) + "\n";
+  const auto explained = explain(*robot);
+  if (!explained) return explained.failure();
+  return text_of(explained->why, *explained->tree, name_of(*robot)) + "decided " + place_text(explained->why.state) +
+         "\n";
 }
 
-Result<Goal> Session::goal_of(const std::string& text, const agent::Tree& tree) const {
-  Goal goal(tree.leaves.size());
-  bool any = false;
-  for (std::size_t i = 0; i < goal.size(); ++i)
-    if (tree.leaf_words[i].name == text) goal[i] = any = true;
-  for (std::size_t i = 0; i < goal.size() && text.size() > 2; ++i)
-    if (tree.leaf_words[i].path.find("/" + text + "/") != std::string::npos) goal[i] = any = true;
-  if (any) return goal;
-  std::vector<std::string_view> known;
-  for (const agent::Words& words : tree.leaf_words)
-    if (std::ranges::find(known, words.name) == known.end()) known.emplace_back(words.name);
-  std::string all;
-  for (const std::string_view name : known) all.append(all.empty() ? "" : ", ").append(name);
-  const std::string hint = io::did_you_mean(text, known);
-  return Error{"strategy '" + tree.name + "' has no skill or rule '" + text + "'" +
-               (hint.empty() ? "; its skills are: " + all : hint)};
+Result<Alternative> Session::alternative(const Explanation& to, const std::string& what) const {
+  const auto goal = goal_of(what, *to.tree);
+  if (!goal) return goal.failure();
+  const Decision& decision = to.why.decision;
+  return alternative_to(to.setup->params, *to.tree, decision, *goal, name_of(decision.robot));
 }
 
 Session::Answer Session::why_not(const Words& words) {
   if (words.size() < 2) return usage("whynot");
-  const auto decision = decision_before(timeline_, now_, focus_);
-  if (!decision) return Error{name_of(focus_) + " has not decided yet"};
-  const Params& played = timeline_.setup_at(decision->tick)->params;
-  const agent::Tree& tree = tree_of(played, focus_)->tree();
+  const auto explained = explain(focus_);
+  if (!explained) return explained.failure();
   const std::string what = rest_of(words, 1);
-  const auto goal = goal_of(what, tree);
-  if (!goal) return goal.failure();
-  if (!agent::plays(decision->game))
-    return Error{name_of(focus_) + " asks its tree nothing, because " +
-                 (decision->game.penalised ? "it is penalised" : "the ball is not in play")};
-  const Thought thought(played, tree, *decision);
-  const Values values = values_of(tree, thought.view());
-  const WhyNot answer = debug::why_not(tree, values, *goal);
-  const bool asks_more = answer.kind != WhyNot::Kind::reached;
-  return text_of(answer, asks_more ? nearest_thresholds(tree, values, *goal) : std::nullopt,
-                 asks_more ? nearest_beliefs(played, tree, *decision, *goal) : std::nullopt, tree, name_of(focus_),
-                 what);
+  const auto answer = alternative(*explained, what);
+  if (!answer) return answer.failure();
+  return text_of(*answer, *explained->tree, name_of(focus_), what);
 }
 
 Session::Answer Session::nodes() {

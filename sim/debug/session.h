@@ -6,13 +6,20 @@
 #include <vector>
 
 #include "robot/core/result.h"
+#include "sim/debug/answers.h"
 #include "sim/debug/commands.h"
 #include "sim/debug/stop.h"
 #include "sim/debug/timeline.h"
-#include "sim/debug/tree_change.h"
 #include "sim/io/situation.h"
 
 namespace sim::debug {
+
+/// The reasons of a decision, with the tree that made it.
+struct Explanation {
+  SharedSetup setup;           // owns the tree
+  const agent::Tree* tree = nullptr;
+  Why why;
+};
 
 /// A debugged game: the place in it, the robot in focus, and the edits so far.
 class Session {
@@ -23,7 +30,16 @@ class Session {
   /// Runs a line. An empty line and one that begins with '#' do nothing. The Error is one sentence, and nothing has changed.
   robot::Result<std::string> run(std::string_view line);
 
+  /// Explains the newest decision of a robot, by its index.
+  robot::Result<Explanation> explain(int robot);
+  /// Finds what would have led that decision to a skill or a part of the tree.
+  robot::Result<Alternative> alternative(const Explanation& to, const std::string& what) const;
+
   Tick now() const { return now_; }
+  /// Returns the index of the robot in focus.
+  int focus() const { return focus_; }
+  /// Returns the name of a robot, by its index: "14/3".
+  std::string name_of(int robot) const;
   /// Returns "812.30 s 14/3> ".
   std::string prompt() const;
   /// Returns the conditions of the breakpoints, each with the names of its robots.
@@ -45,7 +61,7 @@ class Session {
   Answer set_breakpoint(const Words& words);
   Answer remove_breakpoint(const Words& words);
   Answer run_to_breakpoint(const Words& words, bool forward);
-  Answer focus(const Words& words);
+  Answer put_in_focus(const Words& words);
   Answer why(const Words& words);
   Answer why_not(const Words& words);
   Answer nodes();
@@ -63,9 +79,6 @@ class Session {
   std::string edit(const State& state, SharedSetup setup, const std::string& what);
   /// Returns the robot that the words name, or the one in focus.
   robot::Result<int> robot_in(const Words& words, std::size_t index) const;
-  /// Returns the leaves that a skill or a part of a leaf's path names.
-  robot::Result<Goal> goal_of(const std::string& text, const agent::Tree& tree) const;
-  std::string name_of(int robot) const;
   const Params& params() const { return timeline_.setup_at(now_)->params; }
   int players() const { return params().rules.players; }
 

@@ -1,6 +1,7 @@
 #include "sim/debug/truth.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 
@@ -197,9 +198,11 @@ std::string text_of(const Source& source) {
   if (source.kind != Source::Kind::pose) {
     const char* verb = source.kind == Source::Kind::mate ? "heard" : "seen";
     if (source.age < 0) return text + " never " + verb;
-    text += formatted(" %s %.1f s ago,", verb, static_cast<double>(source.age));
+    text += formatted(" %s %.1f s ago", verb, static_cast<double>(source.age));
   }
-  return text + formatted(" %.2f m off", static_cast<double>(source.error));
+  if (std::isnan(source.error)) return text;
+  const char* comma = source.kind == Source::Kind::pose ? "" : ",";
+  return text + formatted("%s %.2f m off", comma, static_cast<double>(source.error));
 }
 
 }  // namespace sim::debug

@@ -88,7 +88,8 @@ Why why(const Params& params, const agent::TreeBehaviour& behaviour, const Decis
 
   const Thought thought(params, tree, decision);
   const Values values = values_of(tree, thought.view());
-  const Evaluation evaluation = evaluate(tree, values);
+  all.evaluation = evaluate(tree, values);
+  const Evaluation& evaluation = all.evaluation;
   all.leaf = evaluation.leaf;
 
   // the same questions, asked of somebody who knows everything

@@ -36,6 +36,7 @@ struct Why {
   std::string role;
   std::uint16_t leaf = 0;    // number; only in play
   std::vector<Reason> path;  // from the root
+  Evaluation evaluation;     // of the whole tree; only in play
   // Of `path`: the one with the least margin, by scale_of. Only those count whose other value leads to another skill.
   std::optional<std::size_t> narrowest;
 };

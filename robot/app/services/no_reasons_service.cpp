@@ -1,0 +1,8 @@
+// Links a program without the services of reasons: their code would make the programs for robots larger.
+#include "robot/app/services/reasons_service.h"
+
+namespace robot::app {
+
+void add_reasons_service(net::Services&, const memory::Channels&, const ReasonsOptions&) {}
+
+}  // namespace robot::app

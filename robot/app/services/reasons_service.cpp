@@ -1,0 +1,169 @@
+#include "robot/app/services/reasons_service.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "robot/app/recalled_decision.h"
+#include "robot/core/encoding.h"
+#include "robot/core/json.h"
+#include "robot/core/json_library.h"
+#include "robot/core/text.h"
+#include "sim/io/source.h"
+#include "sim/report/reasons.h"
+
+namespace robot::app {
+namespace {
+
+namespace pb = foresight;
+using nlohmann::json;
+
+constexpr const char* kWhy = "/decision/why";
+constexpr const char* kWhyNot = "/decision/why_not";
+constexpr const char* kTruthTopic = "/truth/world";
+constexpr std::size_t kMostText = 200;  // [bytes] of a name in a request
+
+/// The moment that a request is about.
+struct Moment {
+  std::string robot;
+  bridge::Recollection objects;
+  std::optional<pb::GroundTruth> truth;
+};
+
+Result<std::string> text_in(const json& request, const char* key) {
+  const auto found = request.find(key);
+  if (found != request.end() && found->is_string() && found->get_ref<const std::string&>().size() <= kMostText)
+    return found->get<std::string>();
+  return Error{std::string("'") + key + "' must be a text of at most " + std::to_string(kMostText) + " bytes"};
+}
+
+template <class Message>
+Result<bridge::Remembered<Message>> message_in(const json& object, const std::string& name) {
+  const Error wrong{"objects." + name + R"( must be {"capture_ns": "1700…", "data": "base64"})"};
+  if (!object.is_object()) return wrong;
+  const auto capture_ns = number_in_text<std::uint64_t>(object, "capture_ns");
+  const auto data = object.find("data");
+  if (!capture_ns || data == object.end() || !data->is_string()) return wrong;
+  const auto bytes = from_base64(data->get_ref<const std::string&>());
+  if (!bytes) return wrong;
+  bridge::Remembered<Message> message{.value = {}, .capture_ns = *capture_ns};
+  if (!message.value.ParseFromString(*bytes)) return Error{"objects." + name + ".data is no message of that object"};
+  return message;
+}
+
+/// Reads the objects that a client sent.
+Result<Moment> sent_moment(const json& request, std::string robot) {
+  Moment moment{.robot = std::move(robot), .objects = {}, .truth = {}};
+  const auto at_ns = number_in_text<std::uint64_t>(request, "at_ns");
+  if (!at_ns) return Error{"'at_ns' must be a time in nanoseconds as a text, because there are 'objects'"};
+  const json& objects = request["objects"];
+  if (!objects.is_object()) return Error{"'objects' must be an object"};
+  moment.objects.now_ns = *at_ns;
+  Result<void> read;
+  bridge::Recollection::visit(moment.objects, [&]<class Message>(const char* name,
+                                                                 std::optional<bridge::Remembered<Message>>& object) {
+    const auto found = objects.find(name);
+    if (!read || found == objects.end()) return;
+    auto message = message_in<Message>(*found, name);
+    if (message)
+      object = *std::move(message);
+    else
+      read = message.failure();
+  });
+  if (!read) return read.failure();
+  if (const auto found = objects.find("truth"); found != objects.end()) {
+    auto truth = message_in<pb::GroundTruth>(*found, "truth");
+    if (!truth) return truth.failure();
+    moment.truth = std::move(truth->value);
+  }
+  return moment;
+}
+
+/// Reads the newest decision in memory, and what the robot knew then.
+Result<Moment> newest_moment(const memory::Channels& channels, std::string robot) {
+  const auto decision = bridge::newest<pb::DecisionTrace>(channels, "/" + robot + "/decision");
+  if (!decision) return Error{"robot '" + printable(robot, 40) + "' has not decided anything"};
+  Moment moment{.robot = robot, .objects = bridge::recollect(channels, robot, decision->capture_ns), .truth = {}};
+  if (auto truth = bridge::newest<pb::GroundTruth>(channels, kTruthTopic)) moment.truth = std::move(truth->value);
+  return moment;
+}
+
+/// Answers both questions.
+class Reasons {
+ public:
+  Reasons(const memory::Channels& channels, const ReasonsOptions& options)
+      : channels_(channels), rules_(options.rules), trees_(options.strategies) {}
+
+  Result<json> why(const json& request) const {
+    const auto moment = moment_of(request);
+    if (!moment) return moment.failure();
+    const auto recalled = recall(*moment);
+    if (!recalled) return recalled.failure();
+    return json{{"ok", true},
+                {"reasons", sim::report::to_json(recalled->why, recalled->tree->tree(), moment->robot,
+                                                 recalled->has_truth)},
+                {"has_truth", recalled->has_truth},
+                {"agrees", recalled->agrees}};
+  }
+
+  Result<json> why_not(const json& request) const {
+    const auto what = text_in(request, "what");
+    if (!what) return what.failure();
+    const auto moment = moment_of(request);
+    if (!moment) return moment.failure();
+    const auto recalled = recall(*moment);
+    if (!recalled) return recalled.failure();
+    const sim::agent::Tree& tree = recalled->tree->tree();
+    const auto goal = sim::debug::goal_of(*what, tree);
+    if (!goal) return goal.failure();
+    const auto answer = sim::debug::alternative_to(recalled->game.params, tree, recalled->why.decision, *goal,
+                                                   moment->robot);
+    if (!answer) return answer.failure();
+    return json{{"ok", true},
+                {"alternative", sim::report::to_json(*answer, tree, moment->robot, *what)},
+                {"agrees", recalled->agrees}};
+  }
+
+ private:
+  Result<Moment> moment_of(const json& request) const {
+    auto robot = text_in(request, "robot");
+    if (!robot) return robot.failure();
+    return request.contains("objects") ? sent_moment(request, *std::move(robot))
+                                       : newest_moment(channels_, *std::move(robot));
+  }
+
+  Result<RecalledDecision> recall(const Moment& moment) const {
+    RecalledGame game{.rules = rules_.empty() ? "spl2025" : rules_, .models = "match"};
+    bridge::Recollection objects = moment.objects;
+    if (const auto simulation = bridge::simulation_of(channels_); simulation && !simulation->value.rules().empty()) {
+      const pb::Simulation& played = simulation->value;
+      const bool is_home = moment.robot.starts_with(std::to_string(played.home().number()) + "/");
+      game = {.rules = played.rules(), .models = (is_home ? played.home() : played.away()).models()};
+      if (played.speed() > 0) objects.speed = static_cast<double>(played.speed());
+    }
+    auto recalled = explain(objects, moment.truth, game, trees_);
+    if (!recalled) return recalled.failure("robot " + printable(moment.robot, 40));
+    return recalled;
+  }
+
+  const memory::Channels& channels_;
+  const std::string rules_;
+  const KnownTrees trees_;
+};
+
+}  // namespace
+
+void add_reasons_service(net::Services& services, const memory::Channels& channels, const ReasonsOptions& options) {
+  const auto reasons = std::make_shared<const Reasons>(channels, options);
+  const auto add = [&](const char* name, Result<json> (Reasons::*ask)(const json&) const) {
+    services.add(name, net::Services::For::questions,
+                 [reasons, name, ask](const json& request, const net::ClientContext&) {
+                   auto answer = ((*reasons).*ask)(request);
+                   return answer ? *std::move(answer) : net::failure(std::string(name) + ": " + answer.error());
+                 });
+  };
+  add(kWhy, &Reasons::why);
+  add(kWhyNot, &Reasons::why_not);
+}
+
+}  // namespace robot::app

@@ -1,0 +1,35 @@
+// The services that explain a robot's decision: why this skill, and why not another one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robot/memory/channels.h"
+#include "robot/net/foxglove/services.h"
+
+namespace robot::app {
+
+/// The trees and the rules of explained decisions.
+struct ReasonsOptions {
+  std::vector<std::string> strategies;  // by name or path, beside the embedded ones
+  std::string rules;                    // of a game that is not simulated; empty: the newest
+};
+
+/// Adds these questions about the robots in `channels`, which outlive the server:
+///
+///   /decision/why      {"robot": "14/2", …}  -> {"ok", "reasons": {…}, "has_truth", "agrees"}
+///   /decision/why_not  {"robot": "14/2", "what": "dribble", …}  -> {"ok", "alternative": {…}, "agrees"}
+///
+/// `what` is a skill, or a name of the tree. Both answers are those of sim/report/reasons.h. "agrees" is false if the
+/// robot reached another leaf: the memory of a behaviour is not recorded.
+///
+/// Without more they explain the newest decision in memory. A client that shows another moment sends its objects:
+///
+///   "at_ns": "1700000000000000000"  capture time of the decision
+///   "objects": {"ball": {"capture_ns": "…", "data": "base64"}, …}  newest messages of the robot at that time, by name;
+///              "truth" is /truth/world
+///
+/// They only compute, and change nothing. In a program that was linked without them (robot_no_reasons), none is added.
+void add_reasons_service(net::Services& services, const memory::Channels& channels, const ReasonsOptions& options);
+
+}  // namespace robot::app

@@ -1,0 +1,95 @@
+// Reasons of decisions over the network: a live game explains itself, at this moment and at one that a client sends.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Live } from "./live.mjs";
+import { start, temporaryFolder } from "./support.mjs";
+
+const kObjects = ["ball", "pose", "team", "opponents", "game", "motion_status", "decision"];
+const kTopics = [...kObjects.map((name) => `/14/2/${name}`), "/truth/world"];
+
+/** A game that is paused while 14/2 plays, and a client that has its objects. */
+async function pausedInPlay(t) {
+  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--player", "2", "--seed", "7");
+  const live = await Live.open(t, server);
+  for (const topic of kTopics) await live.subscribe(topic);
+  await live.call("/sim/step", { ticks: 1800 }); // through ready and set
+  await live.call("/sim/step", { ticks: 300 });
+  return live;
+}
+
+/** The newest object of each topic, as a request sends them. */
+async function sent(live) {
+  const objects = {};
+  let at_ns;
+  for (const topic of kTopics) {
+    const { data, log_ns } = await live.newest(topic);
+    const name = topic === "/truth/world" ? "truth" : topic.slice("/14/2/".length);
+    objects[name] = { capture_ns: String(log_ns), data: Buffer.from(data).toString("base64") };
+    if (name === "decision") at_ns = String(log_ns);
+  }
+  return { robot: "14/2", at_ns, objects };
+}
+
+test("why explains the newest decision, with truth and margins, and the same objects give the same reasons", async (t) => {
+  const live = await pausedInPlay(t);
+  const newest = await live.call("/decision/why", { robot: "14/2" });
+  assert.equal(newest.ok, true, newest.error);
+  const { reasons } = newest;
+  assert.equal(newest.has_truth, true);
+  assert.equal(newest.agrees, true);
+  assert.match(reasons.sentence, new RegExp(`^14/2 plays ${reasons.skill} because `));
+  const decision = live.decoded("/14/2/decision", await live.newest("/14/2/decision"));
+  assert.equal(reasons.skill, decision.skill);
+  const nodes = new Map(reasons.comparisons.map((comparison) => [comparison.node, comparison]));
+  // each comparison that the robot told is one of the path, with the same answer
+  const told = decision.visited.filter(({ kind }) => kind === "KIND_CONDITION");
+  for (const { condition, result } of told)
+    assert.ok(
+      reasons.path.some(({ node }) => nodes.get(node).condition === condition && nodes.get(node).result === result),
+      condition,
+    );
+  assert.deepEqual(
+    reasons.parts.filter(({ skill, taken }) => skill && taken).map(({ path }) => path),
+    [decision.visited.at(-1).path],
+  );
+  for (const { truth, sources } of reasons.path) {
+    assert.equal(typeof truth, "string");
+    for (const { text } of sources) assert.equal(typeof text, "string");
+  }
+
+  assert.deepEqual(await live.call("/decision/why", await sent(live)), newest);
+});
+
+test("why not names a change, and refuses an unknown skill with a similar one", async (t) => {
+  const live = await pausedInPlay(t);
+  const request = await sent(live);
+  const answer = await live.call("/decision/why_not", { ...request, what: "search_ball" });
+  assert.equal(answer.ok, true, answer.error);
+  assert.equal(answer.alternative.kind, "changed");
+  assert.ok(answer.alternative.features.length >= 1);
+  assert.ok(answer.alternative.leaf.endsWith("search_ball"));
+  assert.match((await live.call("/decision/why_not", { ...request, what: "serch_ball" })).error, /search_ball/);
+});
+
+test("wrong requests get one sentence", async (t) => {
+  const live = await pausedInPlay(t);
+  const good = await sent(live);
+  const { ball, decision, game } = good.objects;
+  const wrong = [
+    [{}, /'robot' must be a text/],
+    [{ robot: "99/1" }, /robot '99\/1' has not decided anything/],
+    [{ ...good, at_ns: 5 }, /'at_ns' must be a time in nanoseconds as a text/],
+    [{ ...good, objects: [] }, /'objects' must be an object/],
+    [{ ...good, objects: { ball: { ...ball, data: "?" } } }, /objects\.ball must be/],
+    [{ ...good, objects: { decision: { ...decision, data: "////" } } }, /objects\.decision\.data is no message/],
+    [{ ...good, objects: {} }, /there is no object decision/],
+    [{ ...good, objects: { decision } }, /there is no object game/],
+    [{ ...good, objects: { decision, game } }, /there is no object pose/],
+  ];
+  for (const [request, sentence] of wrong) {
+    const { ok, error } = await live.call("/decision/why", request);
+    assert.equal(ok, false, JSON.stringify(request).slice(0, 200));
+    assert.match(error, sentence);
+    assert.ok(error.startsWith("/decision/why: "), error);
+  }
+});
