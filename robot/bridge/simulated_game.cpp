@@ -13,10 +13,12 @@ SimulatedGame::SimulatedGame(const sim::Params& params, GameNames names, const s
   begin(state);
 }
 
-void SimulatedGame::begin(const sim::State& state) {
-  state_ = state;
+void SimulatedGame::begin(const sim::State& state) { go_to({.state = state, .odometry = {}}); }
+
+void SimulatedGame::go_to(const Moment& moment) {
+  state_ = moment.state;
+  odometry_ = moment.odometry;
   for (sim::agent::Trace& decision : decisions_) decision.clear();
-  odometry_.fill({});
 }
 
 void SimulatedGame::follow(int robot, const sim::agent::Choice& choice) {

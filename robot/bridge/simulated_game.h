@@ -30,6 +30,15 @@ class SimulatedGame {
   /// Continues at another state, with new odometry.
   void begin(const sim::State& state);
 
+  /// A moment of the game between two ticks.
+  struct Moment {
+    sim::State state;
+    std::array<sim::Pose2, sim::kMaxRobots> odometry;
+  };
+  Moment moment() const { return {.state = state_, .odometry = odometry_}; }
+  /// Continues at a moment of this game. The decisions of the tick before it are not known.
+  void go_to(const Moment& moment);
+
   /// Sets the strategy that a robot follows from now on, as its own process has chosen it.
   void follow(int robot, const sim::agent::Choice& choice);
 

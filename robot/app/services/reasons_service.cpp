@@ -1,10 +1,12 @@
 #include "robot/app/services/reasons_service.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "robot/app/recalled_decision.h"
+#include "robot/core/clock.h"
 #include "robot/core/encoding.h"
 #include "robot/core/json.h"
 #include "robot/core/json_library.h"
@@ -21,6 +23,7 @@ using nlohmann::json;
 constexpr const char* kWhy = "/decision/why";
 constexpr const char* kWhyNot = "/decision/why_not";
 constexpr const char* kTruthTopic = "/truth/world";
+constexpr std::uint64_t kSameMomentNs = 200 * kMillisecond;
 constexpr std::size_t kMostText = 200;  // [bytes] of a name in a request
 
 /// The moment that a request is about.
@@ -83,7 +86,12 @@ Result<Moment> sent_moment(const json& request, std::string robot) {
 Result<Moment> newest_moment(const memory::Channels& channels, std::string robot) {
   const auto decision = bridge::newest<pb::DecisionTrace>(channels, "/" + robot + "/decision");
   if (!decision) return Error{"robot '" + printable(robot, 40) + "' has not decided anything"};
-  Moment moment{.robot = robot, .objects = bridge::recollect(channels, robot, decision->capture_ns), .truth = {}};
+  // memory keeps only the newest value of each object: that of the game must be of the same moment
+  const auto game = bridge::newest<pb::GameState>(channels, "/" + robot + "/game");
+  const std::uint64_t now_ns = std::max(decision->capture_ns, game ? game->capture_ns : 0);
+  if (now_ns - decision->capture_ns > kSameMomentNs)
+    return Error{"robot '" + printable(robot, 40) + "' decides nothing now: its newest decision is older than its game"};
+  Moment moment{.robot = robot, .objects = bridge::recollect(channels, robot, now_ns), .truth = {}};
   if (auto truth = bridge::newest<pb::GroundTruth>(channels, kTruthTopic)) moment.truth = std::move(truth->value);
   return moment;
 }

@@ -117,6 +117,10 @@ void add_simulation_service(body::SimBody& body, net::Services& services) {
     const auto ticks = whole(request, "/sim/step", "ticks", 1);
     return ticks ? answer(body, body.step(*ticks)) : net::failure(ticks.error());
   });
+  services.add("/sim/back", control, [&](const json& request, const ClientContext&) {
+    const auto ticks = whole(request, "/sim/back", "ticks", 1);
+    return ticks ? answer(body, body.back(*ticks)) : net::failure(ticks.error());
+  });
   services.add("/sim/speed", control, [&](const json& request, const ClientContext&) {
     const json* speed = find(request, "speed");
     if (!speed || !speed->is_number()) return net::failure("/sim/speed: 'speed' must be a number 0.1 .. 100");

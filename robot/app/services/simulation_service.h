@@ -14,6 +14,7 @@ namespace robot::app {
 ///   /sim/pause   {}
 ///   /sim/resume  {}
 ///   /sim/step    {"ticks": 1}                 pauses, then plays 1 .. 1800 ticks at once, by default one
+///   /sim/back    {"ticks": 30}                pauses, and returns the game to the tick that many ticks before
 ///   /sim/speed   {"speed": 2}                 [game seconds per second] 0.1 .. 100
 ///   /sim/seed    {"seed": 7}                  begins a new game of that seed
 ///   /sim/reset   {"seed": 7, "situation": {…}}  begins a new game, by default of the same seed and from the kick-off;

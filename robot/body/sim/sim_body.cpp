@@ -59,6 +59,7 @@ SimBody::SimBody(GameSetup setup, SimOptions options, const SessionClock& clock)
       clock_(clock),
       game_(setup_.params(), setup_.names, kick_off(setup_.params(), options.seed)),
       narrator_(game_, options.robot, clock) {
+  past_.begin(game_);
   pacer_.restart(options_.speed, monotonic_ns());
   go_on();
 }
@@ -122,10 +123,13 @@ void SimBody::play_due_ticks() {
 /// Plays one tick. The own robot follows the strategy in its memory, which its process chose as the captain or heard
 /// from the captain.
 void SimBody::tick() {
+  past_.note(game_);
   if (const auto version = memory()->strategy.read()) {
     const foresight::Strategy& strategy = version->value();
     const auto number = static_cast<std::uint8_t>(strategy.chosen() ? strategy.number() : sim::agent::kNoStrategy);
-    game_.follow(options_.robot, {.strategy = number, .epoch = static_cast<std::uint8_t>(strategy.epoch())});
+    const sim::agent::Choice choice{.strategy = number, .epoch = static_cast<std::uint8_t>(strategy.epoch())};
+    past_.note_choice(game_.state().world.tick, options_.robot, choice);
+    game_.follow(options_.robot, choice);
   }
   sim::referee::Events events;
   game_.tick(events);
@@ -133,6 +137,7 @@ void SimBody::tick() {
 
 void SimBody::begin(const sim::State& state) {
   game_.begin(state);
+  past_.begin(game_);
   narrator_.forget();
   go_on();
 }
@@ -195,6 +200,18 @@ Result<void> SimBody::step(std::int64_t ticks) {
     tick();
     show(monotonic_ns());
   }
+  return {};
+}
+
+Result<void> SimBody::back(std::int64_t ticks) {
+  if (ticks < 1 || ticks > kMostBack)
+    return Error{"simulation: 'ticks' must be 1 .. " + std::to_string(kMostBack) + ", got " + std::to_string(ticks)};
+  const std::lock_guard guard(lock_);
+  const sim::Tick now = game_.state().world.tick, played = now - past_.first();
+  past_.go_to(now - std::min(static_cast<sim::Tick>(ticks), played), game_);
+  paused_ = true;
+  narrator_.forget();
+  go_on();
   return {};
 }
 

@@ -7,6 +7,7 @@
 
 #include "proto/foresight/sim.pb.h"
 #include "robot/body/sim/pacer.h"
+#include "robot/bridge/game_past.h"
 #include "robot/bridge/narrator.h"
 #include "robot/bridge/simulated_game.h"
 #include "robot/core/clock.h"
@@ -67,6 +68,11 @@ class SimBody {
   /// Pauses and plays `ticks` at once, 1 .. kMostSteps, or up to the end of the game. Each tick is written.
   Result<void> step(std::int64_t ticks);
 
+  /// Pauses and returns the game to the tick `ticks` before, at most to its beginning. The same future follows, to the
+  /// bit, as long as the captain chooses the same. Returns an Error if `ticks` is not 1 .. kMostBack.
+  Result<void> back(std::int64_t ticks);
+  static constexpr std::int64_t kMostBack = 1'000'000;
+
   Result<void> set_speed(double speed);
 
   /// Starts another game of the same teams, from its beginning or from a situation. It runs unless paused.
@@ -97,6 +103,7 @@ class SimBody {
   mutable Mutex lock_;  // guards all below
   Condition changed_;
   bridge::SimulatedGame game_;
+  bridge::GamePast past_;
   bridge::Narrator narrator_;
   Pacer pacer_;
   bridge::Timeline timeline_;

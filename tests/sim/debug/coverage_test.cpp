@@ -62,7 +62,7 @@ Game seen_by_hand(const SharedSetup& setup, Side side, std::uint64_t seed) {
 }
 
 TEST(Coverage, AgreesWithDecisionsThatAreMadeAgainByHand) {
-  const SharedSetup setup = setup_of("baseline", "passing", 120);
+  const SharedSetup setup = setup_of("baseline", "passing", 240);
   std::int64_t goals = 0;
   for (const Side side : {Side::home, Side::away})
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {

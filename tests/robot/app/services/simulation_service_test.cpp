@@ -48,6 +48,8 @@ TEST_F(SimulationService, EachServiceActsAndAnswersWithTheState) {
   EXPECT_EQ(stepped["tick"], 30);
   EXPECT_EQ(stepped["paused"], true);
   EXPECT_EQ(stepped["seconds"], 1.0);
+  EXPECT_EQ(call("/sim/back")["tick"], 29);
+  EXPECT_EQ(call("/sim/back", {{"ticks", 9}})["tick"], 20);
   EXPECT_EQ(call("/sim/resume")["paused"], false);
   EXPECT_EQ(call("/sim/pause")["paused"], true);
   EXPECT_EQ(call("/sim/speed", {{"speed", 2.5}})["speed"], 2.5);

@@ -99,6 +99,49 @@ TEST(SimBody, StepPausesAndResumeGoesOn) {
   EXPECT_TRUE(tests::eventually([&] { return player->state().tick() > tick + 2; }));
 }
 
+TEST(SimBody, GoesBackAndTheSameFutureFollows) {
+  const auto player = body({.seed = 7});
+  const Recording truth(player->memory()->truth), decisions(player->memory()->decision);
+  ASSERT_TRUE(player->step(700));
+  const std::vector<std::string> first = bytes_of(truth);
+  const std::string decision = decisions.messages().back().bytes;
+  ASSERT_TRUE(player->back(1));
+  EXPECT_EQ(player->state().tick(), 699u);
+  EXPECT_TRUE(player->state().paused());
+  ASSERT_TRUE(player->step(1));
+  EXPECT_EQ(decisions.messages().back().bytes, decision);
+
+  ASSERT_TRUE(player->back(450));
+  EXPECT_EQ(player->state().tick(), 250u);
+  EXPECT_EQ(bytes_of(truth).back(), first[first.size() - 1 - 450]);
+  ASSERT_TRUE(player->step(450));
+  const std::vector<std::string> again = bytes_of(truth);
+  EXPECT_TRUE(std::equal(first.end() - 450, first.end(), again.end() - 450));
+}
+
+TEST(SimBody, GoesBackAtMostToTheBeginning) {
+  const auto player = body({.seed = 7});
+  const std::string start(player->memory()->truth.read()->bytes());
+  ASSERT_TRUE(player->step(100));
+  ASSERT_TRUE(player->back(SimBody::kMostBack));
+  EXPECT_EQ(player->state().tick(), 0u);
+  EXPECT_EQ(player->memory()->truth.read()->bytes(), start);
+  ASSERT_TRUE(player->back(1));
+  EXPECT_EQ(player->state().tick(), 0u);
+  ASSERT_TRUE(player->step(200));
+  EXPECT_EQ(player->memory()->truth.read()->bytes(), played_by_the_simulator(7, 200).back());
+}
+
+TEST(SimBody, GoesOnAfterGoingBackFromTheEnd) {
+  const auto player = body({}, setup(kShortRules));
+  ASSERT_TRUE(player->step(SimBody::kMostSteps));
+  ASSERT_TRUE(player->state().finished());
+  ASSERT_TRUE(player->back(30));
+  EXPECT_FALSE(player->state().finished());
+  ASSERT_TRUE(player->step(SimBody::kMostSteps));
+  EXPECT_TRUE(player->state().finished());
+}
+
 TEST(SimBody, ResetBeginsTheGameOfASeedAgain) {
   const auto player = body({.seed = 7});
   ASSERT_TRUE(player->step(50));
@@ -283,6 +326,8 @@ TEST(SimBody, RefusesValuesOutOfRangeWithASentence) {
   const auto player = body();
   EXPECT_EQ(player->step(0).error(), "simulation: 'ticks' must be 1 .. 1800, got 0");
   EXPECT_EQ(player->step(1801).error(), "simulation: 'ticks' must be 1 .. 1800, got 1801");
+  EXPECT_EQ(player->back(0).error(), "simulation: 'ticks' must be 1 .. 1000000, got 0");
+  EXPECT_FALSE(player->back(SimBody::kMostBack + 1));
   EXPECT_EQ(player->set_speed(0.05).error(), "simulation: 'speed' must be 0.1 .. 100, got 0.050000");
   EXPECT_FALSE(player->set_speed(std::numeric_limits<double>::quiet_NaN()));
   EXPECT_FALSE(player->reset(SimBody::kGreatestSeed + 1));
