@@ -46,8 +46,10 @@ std::string thresholds_text(const std::vector<NewThreshold>& changes, const agen
 robot::Result<Goal> goal_of(const std::string& text, const agent::Tree& tree) {
   Goal goal(tree.leaves.size());
   bool any = false;
-  for (std::size_t i = 0; i < goal.size(); ++i)
-    if (tree.leaf_words[i].name == text) goal[i] = any = true;
+  for (std::size_t i = 0; i < goal.size(); ++i) {
+    const agent::Words& words = tree.leaf_words[i];
+    if (words.name == text || words.path == text || words.path.starts_with(text + "/")) goal[i] = any = true;
+  }
   for (std::size_t i = 0; i < goal.size() && text.size() > 2; ++i)
     if (tree.leaf_words[i].path.find("/" + text + "/") != std::string::npos) goal[i] = any = true;
   if (any) return goal;

@@ -13,7 +13,8 @@
 
 namespace sim::debug {
 
-/// Returns the leaves that a skill or a part of a leaf's path names. The Error names a similar skill.
+/// Returns the leaves of a skill, of a part of the tree by its path, or below a name of the tree. The Error names a similar
+/// skill.
 robot::Result<Goal> goal_of(const std::string& text, const agent::Tree& tree);
 
 /// The whole answer to "why not?".

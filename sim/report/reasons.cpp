@@ -31,7 +31,8 @@ std::size_t part_of(const debug::Parts& parts, const std::string& path) {
 Json sources_json(const Reason& reason, bool has_truth) {
   Json all = Json::array();
   for (Source source : reason.sources) {
-    if (!has_truth) source.error = agent::kUnknown;
+    const bool is_place = source.kind != Source::Kind::memory && source.kind != Source::Kind::game;
+    if (!has_truth || !is_place) source.error = agent::kUnknown;
     all.push_back({{"text", text_of(source)},
                    {"age", source.age < 0 ? Json() : Json(source.age)},
                    {"error", number(source.error)}});
@@ -40,7 +41,8 @@ Json sources_json(const Reason& reason, bool has_truth) {
 }
 
 Json reason_json(const Reason& reason, const agent::Tree& tree, bool has_truth) {
-  const agent::Feature feature = tree.nodes[reason.node].feature;
+  const agent::Node& node = tree.nodes[reason.node];
+  const agent::Feature feature = node.feature;
   const auto text = [&](float value) { return debug::value_text(feature, value); };
   Json other;
   if (!std::isnan(reason.flip.value)) {
@@ -51,6 +53,8 @@ Json reason_json(const Reason& reason, const agent::Tree& tree, bool has_truth) 
           {"feature", agent::info_of(feature).name},
           {"value", text(reason.answer.value)},
           {"truth", has_truth ? Json(text(reason.truth)) : Json()},
+          {"misled", has_truth && agent::holds(node.comparison, reason.truth, reason.answer.threshold) !=
+                                      reason.answer.result},
           {"threshold", quantity_json(feature, reason.answer.threshold)},
           {"margin", quantity_json(feature, reason.margin)},
           {"flip", std::isnan(reason.flip.value) ? Json() : Json(text(reason.flip.value))},

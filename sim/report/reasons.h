@@ -17,8 +17,8 @@ namespace sim::report {
 ///   "comparisons"  all of them, in the order of the tree: {"node", "part", "condition", "result", "value", "threshold"}.
 ///                  "part" is the index of the part to which it leads. Texts carry the unit: "0.35 m".
 ///                  "threshold" and "margin" are null unless the feature is a number
-///   "path"  those on the path, in the order in which they were asked: {"node", "value", "truth", "threshold", "margin",
-///           "flip", "other", "sources"}. "flip" is the nearest value that answers otherwise, "other" the skill and leaf
+///   "path"  those on the path, in the order in which they were asked: {"node", "feature", "value", "truth", "misled",
+///           "threshold", "margin", "flip", "other", "sources"}. "misled": the true value gives the other answer. "flip" is the nearest value that answers otherwise, "other" the skill and leaf
 ///           that it leads to, "sources" the beliefs behind the value: {"text", "age", "error"}
 ///   "narrowest"  index in "path" of the comparison with the least margin, or null
 ///

@@ -1,10 +1,13 @@
 // Reasons of decisions over the network: a live game explains itself, at this moment and at one that a client sends.
 import assert from "node:assert/strict";
+import { join } from "node:path";
 import { test } from "node:test";
+import { open, shoot, shootEach } from "./browser.mjs";
 import { Live } from "./live.mjs";
-import { start, temporaryFolder } from "./support.mjs";
+import { sessionsOf, start, temporaryFolder, until } from "./support.mjs";
 
 const kObjects = ["ball", "pose", "team", "opponents", "game", "motion_status", "decision"];
+const kWide = { width: 1600, height: 950 };
 const kTopics = [...kObjects.map((name) => `/14/2/${name}`), "/truth/world"];
 
 /** A game that is paused while 14/2 plays, and a client that has its objects. */
@@ -24,7 +27,10 @@ async function sent(live) {
   for (const topic of kTopics) {
     const { data, log_ns } = await live.newest(topic);
     const name = topic === "/truth/world" ? "truth" : topic.slice("/14/2/".length);
-    objects[name] = { capture_ns: String(log_ns), data: Buffer.from(data).toString("base64") };
+    objects[name] = {
+      capture_ns: String(log_ns),
+      data: Buffer.from(data).toString("base64"),
+    };
     if (name === "decision") at_ns = String(log_ns);
   }
   return { robot: "14/2", at_ns, objects };
@@ -63,7 +69,10 @@ test("why explains the newest decision, with truth and margins, and the same obj
 test("why not names a change, and refuses an unknown skill with a similar one", async (t) => {
   const live = await pausedInPlay(t);
   const request = await sent(live);
-  const answer = await live.call("/decision/why_not", { ...request, what: "search_ball" });
+  const answer = await live.call("/decision/why_not", {
+    ...request,
+    what: "search_ball",
+  });
   assert.equal(answer.ok, true, answer.error);
   assert.equal(answer.alternative.kind, "changed");
   assert.ok(answer.alternative.features.length >= 1);
@@ -92,4 +101,84 @@ test("wrong requests get one sentence", async (t) => {
     assert.match(error, sentence);
     assert.ok(error.startsWith("/decision/why: "), error);
   }
+});
+
+test("the workspace Debug draws the tree, explains each decision, answers why not, and goes back", async (t) => {
+  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--player", "2", "--seed", "7");
+  const live = await Live.open(t, server);
+  await live.call("/sim/step", { ticks: 1800 });
+  await live.call("/sim/step", { ticks: 300 });
+  const { page, problems } = await open(t, `${server.http}/#/14/2/field`, {
+    viewport: { width: 1600, height: 950 },
+  });
+  await page.keyboard.press("D");
+  const debug = page.getByRole("region", { name: "Debug", exact: true });
+  const sentence = debug.getByRole("status", { name: "Why" });
+  await sentence.filter({ hasText: /^14\/2 plays \w+ because / }).waitFor();
+
+  // the tree has the parts that the robot's own trace names, and lights them
+  const { reasons } = await live.call("/decision/why", { robot: "14/2" });
+  assert.equal(await sentence.textContent(), `${reasons.sentence}.`);
+  const tree = debug.getByRole("group", { name: "Decision tree" });
+  assert.equal(await tree.getByRole("button").count(), reasons.parts.length - 1, "all but the whole tree");
+  assert.equal(
+    await tree.getByRole("button", { name: ": taken" }).count(),
+    reasons.parts.filter((part) => part.taken).length - 1,
+  );
+  const table = debug.getByRole("table", { name: "Comparisons on the path" });
+  assert.equal(await table.locator("tbody tr").count(), reasons.path.length);
+  assert.match(await table.locator("tbody tr").first().textContent(), /not ball_known/);
+
+  // only the path, and the whole again
+  await debug.getByLabel("whole tree").uncheck();
+  assert.ok((await tree.getByRole("button").count()) < reasons.parts.length);
+  await debug.getByLabel("whole tree").check();
+
+  // why not another part?
+  await tree.getByRole("button", { name: /^not ball known/ }).click();
+  const answer = debug.getByRole("region", { name: "Why not" });
+  await answer.getByText("One value would have to be different:").waitFor();
+  assert.match(await answer.textContent(), /ball known/);
+  await shoot(page, "debug-wide");
+  await shootEach(page, "debug");
+  await page.setViewportSize(kWide);
+  await answer.getByRole("button", { name: "Close the answer" }).click();
+  await answer.waitFor({ state: "detached" });
+
+  // back by a decision and on again: the same decision, by the same reasons
+  const place = async () => (await live.call("/sim/state")).tick;
+  const before = await place();
+  await debug.getByRole("button", { name: "−1 s" }).click();
+  await until(async () => (await place()) === before - 30, "a second back");
+  await debug.getByRole("button", { name: "Back", exact: true }).click();
+  await until(async () => (await place()) === before - 31, "a decision back");
+  await live.call("/sim/step", { ticks: 31 });
+  await sentence.filter({ hasText: reasons.sentence }).waitFor();
+  assert.deepEqual(problems, []);
+});
+
+test("a recording explains its decisions at each moment, with the page's own playhead", async (t) => {
+  const folder = temporaryFolder(t);
+  const robot = await start(t, folder, "foresight-robot", "--body", "sim", "--player", "2", "--seed", "7", "--record");
+  const live = await Live.open(t, robot);
+  await live.call("/sim/pause");
+  for (let i = 0; i < 30; ++i) await live.call("/sim/step", { ticks: 90 });
+  await live.call("stop_recording");
+  const [session] = await sessionsOf(robot);
+  const player = await start(t, folder, "foresight-lab", "play", join(folder, "logs", session.session));
+  const { page, problems } = await open(t, `${player.http}/#/14/2/debug`);
+  await page.keyboard.press("Space");
+  const sentence = page.getByRole("status", { name: "Why" });
+  const seen = new Set();
+  await page.keyboard.press("End");
+  for (let i = 0; i < 60 && seen.size < 3; ++i) {
+    await page.keyboard.press(",");
+    await sentence
+      .filter({ hasText: /^14\/2 plays \w+ because / })
+      .waitFor({ timeout: 2000 })
+      .catch(() => {});
+    if (await sentence.isVisible()) seen.add(await sentence.textContent());
+  }
+  assert.ok(seen.size >= 3, [...seen].join("\n"));
+  assert.deepEqual(problems, []);
 });

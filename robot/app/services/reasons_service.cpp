@@ -24,7 +24,7 @@ constexpr const char* kWhy = "/decision/why";
 constexpr const char* kWhyNot = "/decision/why_not";
 constexpr const char* kTruthTopic = "/truth/world";
 constexpr std::uint64_t kSameMomentNs = 200 * kMillisecond;
-constexpr std::size_t kMostText = 200;  // [bytes] of a name in a request
+constexpr std::size_t kMostText = 1000;  // [bytes] of a name or a path in a request
 
 /// The moment that a request is about.
 struct Moment {

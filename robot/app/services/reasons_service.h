@@ -20,7 +20,7 @@ struct ReasonsOptions {
 ///   /decision/why      {"robot": "14/2", …}  -> {"ok", "reasons": {…}, "has_truth", "agrees"}
 ///   /decision/why_not  {"robot": "14/2", "what": "dribble", …}  -> {"ok", "alternative": {…}, "agrees"}
 ///
-/// `what` is a skill, or a name of the tree. Both answers are those of sim/report/reasons.h. "agrees" is false if the
+/// `what` is a skill, the path of a part of the tree, or a name in it. Both answers are those of sim/report/reasons.h. "agrees" is false if the
 /// robot reached another leaf: the memory of a behaviour is not recorded.
 ///
 /// Without more they explain the newest decision in memory. A client that shows another moment sends its objects:

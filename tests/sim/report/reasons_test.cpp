@@ -61,6 +61,7 @@ TEST_F(Reasons, TheTakenPartsLeadToTheLeafAndTheComparisonsToTheirParts) {
 }
 
 TEST_F(Reasons, ThePathHoldsValueTruthMarginAndTheOtherLeaf) {
+  int misled = 0;
   for_each_decision([&](const Why& why, const agent::Tree& tree) {
     const Json json = to_json(why, tree, "14/2");
     ASSERT_EQ(json["path"].size(), why.path.size());
@@ -70,6 +71,10 @@ TEST_F(Reasons, ThePathHoldsValueTruthMarginAndTheOtherLeaf) {
       const Json& told = json["path"][i];
       EXPECT_EQ(told["value"], debug::value_text(feature, reason.answer.value));
       EXPECT_EQ(told["truth"], debug::value_text(feature, reason.truth));
+      const agent::Node& node = tree.nodes[reason.node];
+      EXPECT_EQ(told["misled"],
+                agent::holds(node.comparison, reason.truth, reason.answer.threshold) != reason.answer.result);
+      misled += told["misled"] == true;
       EXPECT_EQ(told["other"].is_null(), std::isnan(reason.flip.value));
       EXPECT_EQ(told["flip"].is_null(), std::isnan(reason.flip.value));
       if (!told["other"].is_null()) {
@@ -79,12 +84,14 @@ TEST_F(Reasons, ThePathHoldsValueTruthMarginAndTheOtherLeaf) {
     }
     EXPECT_EQ(json["narrowest"].is_null(), !why.narrowest.has_value());
   });
+  EXPECT_GT(misled, 0);
 }
 
 TEST_F(Reasons, WithoutTruthNothingOfItIsTold) {
   for_each_decision([&](const Why& why, const agent::Tree& tree) {
     for (const Json& reason : to_json(why, tree, "14/2", false)["path"]) {
       EXPECT_TRUE(reason["truth"].is_null());
+      EXPECT_EQ(reason["misled"], false);
       for (const Json& source : reason["sources"]) {
         EXPECT_TRUE(source["error"].is_null());
         EXPECT_EQ(source["text"].get<std::string>().find("off"), std::string::npos);

@@ -410,4 +410,11 @@ export const kPresets: Preset[] = [
     settings: { "3.plot": kUsualPlot },
     other: 2,
   },
+  {
+    name: "Debug",
+    key: "D",
+    does: "the field beside the tree of the decision, with the reasons",
+    panes: "row(field:2,debug:3)",
+    settings: {},
+  },
 ];

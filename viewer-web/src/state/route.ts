@@ -11,6 +11,7 @@ export const kViews = [
   "log",
   "sessions",
   "parameters",
+  "debug",
 ] as const;
 export type View = (typeof kViews)[number];
 

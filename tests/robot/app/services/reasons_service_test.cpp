@@ -63,7 +63,7 @@ TEST_F(ReasonsService, ARobotThatHasNotDecidedGetsASentence) {
   EXPECT_EQ(call("/decision/why", {{"robot", "99/1"}})["error"],
             "/decision/why: robot '99/1' has not decided anything");
   EXPECT_EQ(call("/decision/why_not", {{"robot", "14/2"}})["error"],
-            "/decision/why_not: 'what' must be a text of at most 200 bytes");
+            "/decision/why_not: 'what' must be a text of at most 1000 bytes");
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+// The reasons of the shown decision: asked for anew when the page shows another one.
+
+import { alternativeOf, kWhy, kWhyNot, reasonsOf, requestAt, type Alternative, type Reasons } from "../memory/reasons";
+import type { Pane } from "./pane.svelte";
+
+/** An answer to "why not?", with its question. */
+export interface WhyNot {
+  /** The part of the tree, by its path, and its name. */
+  path: string;
+  title: string;
+  /** [ns] Capture time of the decision. */
+  at_ns: bigint;
+  alternative: Alternative | undefined;
+  problem: string;
+}
+
+export class ReasonsAsker {
+  reasons = $state.raw<Reasons>();
+  /** One sentence; "" while all is well. */
+  problem = $state("");
+  whyNot = $state.raw<WhyNot>();
+  #asking = false;
+  #asked = ""; // robot and time of the decision that was asked about last
+
+  constructor(readonly viewer: Pane) {}
+
+  get offered(): boolean {
+    return this.viewer.server.serviceNames.includes(kWhy);
+  }
+
+  /** Asks if another decision is shown. Questions never wait in a row: the next one is about what is shown then. */
+  async follow(): Promise<void> {
+    if (this.#asking || !this.offered) return;
+    const { server, robot } = this.viewer;
+    const decision = server.memory.of(robot, "decision")?.shown;
+    if (!decision) return;
+    const shown = `${robot} ${decision.log_ns}`;
+    if (shown === this.#asked) return;
+    this.#asked = shown;
+    this.#asking = true;
+    try {
+      const request = requestAt(server.memory, robot)!;
+      this.reasons = reasonsOf(await server.client.call(kWhy, request), request);
+      this.problem = "";
+    } catch (error) {
+      this.reasons = undefined;
+      this.problem = (error as Error).message.replace(`${kWhy}: `, "");
+    } finally {
+      this.#asking = false;
+    }
+  }
+
+  /** Asks why the shown decision did not reach a part of the tree. */
+  async askWhyNot(path: string, title: string): Promise<void> {
+    const { server, robot } = this.viewer;
+    const request = requestAt(server.memory, robot);
+    if (!request) return;
+    const asked = { path, title, at_ns: BigInt(request.at_ns), alternative: undefined, problem: "" };
+    this.whyNot = asked;
+    try {
+      const answer = await server.client.call(kWhyNot, { ...request, what: path });
+      if (this.whyNot === asked) this.whyNot = { ...asked, alternative: alternativeOf(answer) };
+    } catch (error) {
+      if (this.whyNot === asked)
+        this.whyNot = { ...asked, problem: (error as Error).message.replace(`${kWhyNot}: `, "") };
+    }
+  }
+
+  closeWhyNot(): void {
+    this.whyNot = undefined;
+  }
+}
