@@ -29,8 +29,8 @@ bool is_finite(const pb::GroundTruth& truth) {
          });
 }
 
-/// Returns the true state in the frame of a decision: the own side is home and attacks +x. Without a truth, or if it
-/// lacks the ball or the robot itself, nobody is on the field.
+/// The true state in the frame of a decision: the own side is home and attacks +x. It is known if the truth has the ball
+/// and the robot itself. Otherwise nobody is on the field.
 struct TrueState {
   sim::State state;
   bool is_known = false;
@@ -41,8 +41,7 @@ TrueState true_state(const std::optional<pb::GroundTruth>& truth, const pb::Game
   sim::World& world = all.state.world;
   world.tick = decision.tick;
   world.players = decision.game.players;
-  sim::for_each_robot(world.players,
-                      [&](int robot) { world.bodies[robot].doing = sim::Body::Doing::removed; });
+  sim::for_each_robot(world.players, [&](int robot) { world.bodies[robot].doing = sim::Body::Doing::removed; });
   if (!truth || !truth->has_ball() || !is_finite(*truth)) return all;
 
   const float sign = game.has_attacks_positive_x() && !game.attacks_positive_x() ? -1.f : 1.f;
@@ -107,11 +106,8 @@ Result<RecalledDecision> explain(const bridge::Recollection& from, const std::op
                                       .beliefs = knowledge->beliefs,
                                       .mind = knowledge->mind};
   const TrueState real = true_state(truth, from.game->value, decision);
-  RecalledDecision recalled{.game = *std::move(prepared),
-                            .tree = *std::move(tree),
-                            .why = {},
-                            .has_truth = real.is_known,
-                            .agrees = false};
+  RecalledDecision recalled{
+      .game = *std::move(prepared), .tree = *std::move(tree), .why = {}, .has_truth = real.is_known, .agrees = false};
   recalled.why = sim::debug::why(recalled.game.params, *recalled.tree, decision, real.state);
   const auto& visited = recorded.visited();
   recalled.agrees = recalled.why.plays

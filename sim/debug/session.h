@@ -16,7 +16,7 @@ namespace sim::debug {
 
 /// The reasons of a decision, with the tree that made it.
 struct Explanation {
-  SharedSetup setup;           // owns the tree
+  SharedSetup setup;  // owns the tree
   const agent::Tree* tree = nullptr;
   Why why;
 };

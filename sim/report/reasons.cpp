@@ -53,8 +53,8 @@ Json reason_json(const Reason& reason, const agent::Tree& tree, bool has_truth) 
           {"feature", agent::info_of(feature).name},
           {"value", text(reason.answer.value)},
           {"truth", has_truth ? Json(text(reason.truth)) : Json()},
-          {"misled", has_truth && agent::holds(node.comparison, reason.truth, reason.answer.threshold) !=
-                                      reason.answer.result},
+          {"misled",
+           has_truth && agent::holds(node.comparison, reason.truth, reason.answer.threshold) != reason.answer.result},
           {"threshold", quantity_json(feature, reason.answer.threshold)},
           {"margin", quantity_json(feature, reason.margin)},
           {"flip", std::isnan(reason.flip.value) ? Json() : Json(text(reason.flip.value))},

@@ -63,16 +63,16 @@ Result<Moment> sent_moment(const json& request, std::string robot) {
   if (!objects.is_object()) return Error{"'objects' must be an object"};
   moment.objects.now_ns = *at_ns;
   Result<void> read;
-  bridge::Recollection::visit(moment.objects, [&]<class Message>(const char* name,
-                                                                 std::optional<bridge::Remembered<Message>>& object) {
-    const auto found = objects.find(name);
-    if (!read || found == objects.end()) return;
-    auto message = message_in<Message>(*found, name);
-    if (message)
-      object = *std::move(message);
-    else
-      read = message.failure();
-  });
+  bridge::Recollection::visit(moment.objects,
+                              [&]<class Message>(const char* name, std::optional<bridge::Remembered<Message>>& object) {
+                                const auto found = objects.find(name);
+                                if (!read || found == objects.end()) return;
+                                auto message = message_in<Message>(*found, name);
+                                if (message)
+                                  object = *std::move(message);
+                                else
+                                  read = message.failure();
+                              });
   if (!read) return read.failure();
   if (const auto found = objects.find("truth"); found != objects.end()) {
     auto truth = message_in<pb::GroundTruth>(*found, "truth");
@@ -90,7 +90,8 @@ Result<Moment> newest_moment(const memory::Channels& channels, std::string robot
   const auto game = bridge::newest<pb::GameState>(channels, "/" + robot + "/game");
   const std::uint64_t now_ns = std::max(decision->capture_ns, game ? game->capture_ns : 0);
   if (now_ns - decision->capture_ns > kSameMomentNs)
-    return Error{"robot '" + printable(robot, 40) + "' decides nothing now: its newest decision is older than its game"};
+    return Error{"robot '" + printable(robot, 40) +
+                 "' decides nothing now: its newest decision is older than its game"};
   Moment moment{.robot = robot, .objects = bridge::recollect(channels, robot, now_ns), .truth = {}};
   if (auto truth = bridge::newest<pb::GroundTruth>(channels, kTruthTopic)) moment.truth = std::move(truth->value);
   return moment;
@@ -107,11 +108,11 @@ class Reasons {
     if (!moment) return moment.failure();
     const auto recalled = recall(*moment);
     if (!recalled) return recalled.failure();
-    return json{{"ok", true},
-                {"reasons", sim::report::to_json(recalled->why, recalled->tree->tree(), moment->robot,
-                                                 recalled->has_truth)},
-                {"has_truth", recalled->has_truth},
-                {"agrees", recalled->agrees}};
+    return json{
+        {"ok", true},
+        {"reasons", sim::report::to_json(recalled->why, recalled->tree->tree(), moment->robot, recalled->has_truth)},
+        {"has_truth", recalled->has_truth},
+        {"agrees", recalled->agrees}};
   }
 
   Result<json> why_not(const json& request) const {
@@ -124,8 +125,8 @@ class Reasons {
     const sim::agent::Tree& tree = recalled->tree->tree();
     const auto goal = sim::debug::goal_of(*what, tree);
     if (!goal) return goal.failure();
-    const auto answer = sim::debug::alternative_to(recalled->game.params, tree, recalled->why.decision, *goal,
-                                                   moment->robot);
+    const auto answer =
+        sim::debug::alternative_to(recalled->game.params, tree, recalled->why.decision, *goal, moment->robot);
     if (!answer) return answer.failure();
     return json{{"ok", true},
                 {"alternative", sim::report::to_json(*answer, tree, moment->robot, *what)},

@@ -116,7 +116,7 @@ const text = (value: unknown): string => (typeof value === "string" ? value : ""
 const maybe = (value: unknown): string | undefined => (typeof value === "string" ? value : undefined);
 const count = (value: unknown): number => (typeof value === "number" ? value : 0);
 
-/** Reads the answer of kWhy. What is missing or of another type becomes empty. */
+/** Reads the answer of kWhy. A part that is missing or of another type becomes empty. */
 export function reasonsOf(answer: Json, { robot, at_ns }: Pick<ReasonsRequest, "robot" | "at_ns">): Reasons {
   const told = objectOf(answer["reasons"]);
   const comparisons = listOf(told["comparisons"]).map((one): Comparison => ({
