@@ -161,24 +161,27 @@ test("a recording explains its decisions at each moment, with the page's own pla
   const folder = temporaryFolder(t);
   const robot = await start(t, folder, "foresight-robot", "--body", "sim", "--player", "2", "--seed", "7", "--record");
   const live = await Live.open(t, robot);
-  await live.call("/sim/pause");
-  for (let i = 0; i < 30; ++i) await live.call("/sim/step", { ticks: 90 });
+  await live.call("/sim/speed", { speed: 10 });
+  await until(async () => (await live.call("/sim/state")).tick > 3600, "two minutes of the game");
   await live.call("stop_recording");
   const [session] = await sessionsOf(robot);
   const player = await start(t, folder, "foresight-lab", "play", join(folder, "logs", session.session));
   const { page, problems } = await open(t, `${player.http}/#/14/2/debug`);
+  const debug = page.getByRole("region", { name: "Debug", exact: true });
+  await debug.waitFor();
   await page.keyboard.press("Space");
-  const sentence = page.getByRole("status", { name: "Why" });
+  await page.keyboard.press("Home");
+  // in steps of a second through the whole recording, whose game ran faster
   const seen = new Set();
-  await page.keyboard.press("End");
-  for (let i = 0; i < 60 && seen.size < 3; ++i) {
-    await page.keyboard.press(",");
-    await sentence
-      .filter({ hasText: /^14\/2 plays \w+ because / })
-      .waitFor({ timeout: 2000 })
+  for (let i = 0; i < 60 && seen.size < 2; ++i) {
+    await page.keyboard.press("ArrowRight");
+    await debug
+      .getByRole("status", { name: "Why" })
+      .filter({ hasText: /^14\/2 plays \w+ because \w+ (is|<|>)/ })
+      .waitFor({ timeout: 1000 })
+      .then(async () => seen.add(await debug.getByRole("status", { name: "Why" }).textContent()))
       .catch(() => {});
-    if (await sentence.isVisible()) seen.add(await sentence.textContent());
   }
-  assert.ok(seen.size >= 3, [...seen].join("\n"));
+  assert.ok(seen.size >= 2, [...seen, `at last: ${await debug.textContent()}`].join("\n"));
   assert.deepEqual(problems, []);
 });

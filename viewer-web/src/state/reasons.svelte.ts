@@ -20,7 +20,7 @@ export class ReasonsAsker {
   problem = $state("");
   whyNot = $state.raw<WhyNot>();
   #asking = false;
-  #asked = ""; // robot and time of the decision that was asked about last
+  #asked = ""; // robot and times of the objects that were asked about last
 
   constructor(readonly viewer: Pane) {}
 
@@ -32,14 +32,14 @@ export class ReasonsAsker {
   async follow(): Promise<void> {
     if (this.#asking || !this.offered) return;
     const { server, robot } = this.viewer;
-    const decision = server.memory.of(robot, "decision")?.shown;
-    if (!decision) return;
-    const shown = `${robot} ${decision.log_ns}`;
+    const request = requestAt(server.memory, robot);
+    if (!request) return;
+    // after a seek some objects arrive later than the decision
+    const shown = [robot, ...Object.values(request.objects).map(({ capture_ns }) => capture_ns)].join(" ");
     if (shown === this.#asked) return;
     this.#asked = shown;
     this.#asking = true;
     try {
-      const request = requestAt(server.memory, robot)!;
       this.reasons = reasonsOf(await server.client.call(kWhy, request), request);
       this.problem = "";
     } catch (error) {
