@@ -30,61 +30,37 @@ const kViews = {
 /** Dialogs by their names, and how they are opened. Escape closes them. */
 const kOverlays = {
   Layout: (page) => page.getByRole("button", { name: "Layout" }).click(),
-  "Robots and servers": (page) =>
-    page.getByRole("button", { name: "Robots and servers" }).click(),
+  "Robots and servers": (page) => page.getByRole("button", { name: "Robots and servers" }).click(),
   Keys: (page) => page.keyboard.press("?"),
 };
 
 const simulated = (t) =>
-  start(
-    t,
-    temporaryFolder(t),
-    "foresight-robot",
-    "--body",
-    "sim",
-    "--seed",
-    "7",
-    "--player",
-    "2",
-  );
+  start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--seed", "7", "--player", "2");
 
 /** Waits until a judge finds no fault: a view may still be loading. */
 async function soundly(page, judge, options, where) {
   let faults;
-  const judged = async () =>
-    (faults = await page.evaluate(judge, options)).length === 0;
-  await until(judged, `${where} without faults`, 10_000, () => faults).catch(
-    () => {},
-  );
+  const judged = async () => (faults = await page.evaluate(judge, options)).length === 0;
+  await until(judged, `${where} without faults`, 10_000, () => faults).catch(() => {});
   assert.deepEqual(faults, [], where);
 }
 
 async function soundInBothThemes(page, screen, where) {
   for (const colorScheme of ["dark", "light"]) {
     await page.emulateMedia({ colorScheme });
-    await soundly(
-      page,
-      faultsOf,
-      { finger: screen !== "desktop" },
-      `${where}, ${screen}, ${colorScheme}`,
-    );
+    await soundly(page, faultsOf, { finger: screen !== "desktop" }, `${where}, ${screen}, ${colorScheme}`);
   }
 }
 
 for (const [screen, options] of Object.entries(kScreens))
   test(`on a ${screen}, every view is readable, named and whole in both themes`, async (t) => {
     const server = await simulated(t);
-    const { page, problems } = await open(
-      t,
-      `${server.http}/#/14/2/field`,
-      options,
-    );
+    const { page, problems } = await open(t, `${server.http}/#/14/2/field`, options);
     for (const [hash, name] of Object.entries(kViews)) {
       await page.evaluate((hash) => (location.hash = `#/14/2/${hash}`), hash);
       await page.getByRole("region", { name, exact: true }).first().waitFor();
       await soundInBothThemes(page, screen, hash);
-      if (screen === "desktop")
-        await soundly(page, unmarkedFocus, undefined, `the focus in ${hash}`);
+      if (screen === "desktop") await soundly(page, unmarkedFocus, undefined, `the focus in ${hash}`);
     }
     if (screen === "desktop")
       for (const [name, show] of Object.entries(kOverlays)) {
@@ -101,34 +77,20 @@ for (const [screen, options] of Object.entries(kScreens))
 
 test("on a phone, header, team and time take at most a quarter of the height, and the own team is first", async (t) => {
   const server = await simulated(t);
-  const { page, problems } = await open(
-    t,
-    `${server.http}/#/14/2/field`,
-    kScreens.phone,
-  );
+  const { page, problems } = await open(t, `${server.http}/#/14/2/field`, kScreens.phone);
   const team = page.getByRole("group", { name: "Team" });
   await team.getByRole("button").nth(5).waitFor();
-  const titles = await team
-    .getByRole("button")
-    .evaluateAll((all) => all.map(({ title }) => title.split("/")[0]));
+  const titles = await team.getByRole("button").evaluateAll((all) => all.map(({ title }) => title.split("/")[0]));
   assert.deepEqual(
     titles,
-    [...titles].sort(
-      (one, other) => Number(other === "14") - Number(one === "14"),
-    ),
+    [...titles].sort((one, other) => Number(other === "14") - Number(one === "14")),
   );
   assert.equal(titles[0], "14");
   const heights = await page
     .locator("#app > :is(header, .team, footer)")
-    .evaluateAll((all) =>
-      all.map((element) => element.getBoundingClientRect().height),
-    );
+    .evaluateAll((all) => all.map((element) => element.getBoundingClientRect().height));
   assert.equal(heights.length, 3);
-  const share =
-    heights.reduce((sum, height) => sum + height, 0) / kPhone.height;
-  assert.ok(
-    share <= 0.25,
-    `they take ${(100 * share).toFixed(0)} % of the height`,
-  );
+  const share = heights.reduce((sum, height) => sum + height, 0) / kPhone.height;
+  assert.ok(share <= 0.25, `they take ${(100 * share).toFixed(0)} % of the height`);
   assert.deepEqual(problems, []);
 });
