@@ -85,11 +85,7 @@ test("both subprotocols introduce the server and offer every stream and its deri
   assert.match(sessionId, /^\d+$/);
 
   const about = (topic) => live.channels.get(topic).metadata;
-  assert.deepEqual(about("/14/2/odometry"), {
-    delivery: "fifo",
-    robot: "14/2",
-    object: "odometry",
-  });
+  assert.deepEqual(about("/14/2/odometry"), { delivery: "fifo", robot: "14/2", object: "odometry" });
   assert.deepEqual(about("/14/2/camera_top/jpeg"), {
     delivery: "latest",
     robot: "14/2",
@@ -247,15 +243,8 @@ test("parameters are read, set within their ranges, and followed", async (t) => 
   ]);
 
   // another client follows one of them and receives only that one
-  live.send({
-    op: "subscribeParameterUpdates",
-    parameterNames: ["jpeg_width", "none of this name"],
-  });
-  live.send({
-    op: "getParameters",
-    parameterNames: ["jpeg_width"],
-    id: "asked",
-  });
+  live.send({ op: "subscribeParameterUpdates", parameterNames: ["jpeg_width", "none of this name"] });
+  live.send({ op: "getParameters", parameterNames: ["jpeg_width"], id: "asked" });
   await live.until(() => live.values.find(({ id }) => id === "asked"), "the answer");
   client.setParameters(
     [
@@ -291,16 +280,8 @@ test("clock_sync answers as an NTP server would, and a client's measurement beco
   const { live, end_ns } = await played(t);
   await live.subscribe("/lab/1/clock");
   const first = await live.call("clock_sync", { sent_ns: "123" });
-  assert.deepEqual(first, {
-    ok: true,
-    sent_ns: "123",
-    received_ns: String(end_ns),
-  });
-  await live.call("clock_sync", {
-    sent_ns: "1",
-    offset_ns: "-5",
-    round_trip_ns: "18446744073709551615",
-  });
+  assert.deepEqual(first, { ok: true, sent_ns: "123", received_ns: String(end_ns) });
+  await live.call("clock_sync", { sent_ns: "1", offset_ns: "-5", round_trip_ns: "18446744073709551615" });
   const sample = await live.until(
     () =>
       live.messages
@@ -344,12 +325,7 @@ test("a service that refuses gives a normal answer with an error; an unknown ser
 
   const { client, events } = foxglove(t, server);
   await until(() => events.advertiseServices.length > 0, "the services");
-  client.sendServiceCallRequest({
-    serviceId: 999,
-    callId: 4,
-    encoding: "json",
-    data: Buffer.from("{}"),
-  });
+  client.sendServiceCallRequest({ serviceId: 999, callId: 4, encoding: "json", data: Buffer.from("{}") });
   await until(() => events.serviceCallFailure.length > 0, "the failure");
   const { serviceId, callId, message } = events.serviceCallFailure[0];
   assert.deepEqual({ serviceId, callId, message }, { serviceId: 999, callId: 4, message: "there is no service 999" });
@@ -360,17 +336,11 @@ test("a recording is begun and ended by service or parameter, and all clients se
   const server = await robot(t, folder, await synthesize(folder, { seconds: 1 }));
   const [live, other] = [await Live.open(t, server), await Live.open(t, server)];
   assert.equal(live.infos[0].metadata.body, "replay");
-  other.send({
-    op: "subscribeParameterUpdates",
-    parameterNames: ["recording"],
-  });
+  other.send({ op: "subscribeParameterUpdates", parameterNames: ["recording"] });
   const heard = (wanted) =>
     other.until(() => other.values.at(-1)?.parameters[0].value === wanted, `recording is ${wanted}`);
 
-  const { ok, session } = await live.call("start_recording", {
-    name: "over <here>",
-    profile: "vision",
-  });
+  const { ok, session } = await live.call("start_recording", { name: "over <here>", profile: "vision" });
   assert.ok(ok);
   assert.match(session, /_over__here_$/);
   await heard(true);
@@ -385,22 +355,12 @@ test("a recording is begun and ended by service or parameter, and all clients se
   assert.equal((await live.call("stop_recording")).ok, false);
   assert.equal((await live.call("start_recording", { profile: "everything" })).ok, false);
 
-  live.send({
-    op: "setParameters",
-    parameters: [{ name: "recording", value: true }],
-    id: "on",
-  });
+  live.send({ op: "setParameters", parameters: [{ name: "recording", value: true }], id: "on" });
   await heard(true);
-  live.send({
-    op: "setParameters",
-    parameters: [{ name: "recording", value: false }],
-    id: "off",
-  });
+  live.send({ op: "setParameters", parameters: [{ name: "recording", value: false }], id: "off" });
   await heard(false);
 
-  assert.deepEqual(await live.call("keep_session", { session, keep: true }), {
-    ok: true,
-  });
+  assert.deepEqual(await live.call("keep_session", { session, keep: true }), { ok: true });
   assert.equal((await live.call("keep_session", { session: "../x", keep: true })).ok, false);
   const sessions = await sessionsOf(server);
   assert.equal(sessions.length, 2);
@@ -495,12 +455,7 @@ test("bytes on the wire are those of the protocol's golden vectors", async (t) =
   assert.equal(hex(serviceCall(10, 12, '{"key": "value"}')), golden);
   const { ws, client, sent } = foxglove(t, server);
   await within(new Promise((resolve) => ws.on("open", resolve)), "the connection");
-  client.sendServiceCallRequest({
-    serviceId: 10,
-    callId: 12,
-    encoding: "json",
-    data: Buffer.from('{"key": "value"}'),
-  });
+  client.sendServiceCallRequest({ serviceId: 10, callId: 12, encoding: "json", data: Buffer.from('{"key": "value"}') });
   client.sendMessage(30, Buffer.from('{"key": "value"}'));
   assert.deepEqual(sent.map(hex), [golden, "011e0000007b226b6579223a202276616c7565227d"]);
 });
