@@ -9,7 +9,6 @@
 #include "robot/logging/sessions/session.h"
 #include "robot/logging/sessions/session_provider.h"
 #include "sim/foresight/rollout_statistics.h"
-#include "sim/io/source.h"
 
 namespace robot::app {
 namespace {
@@ -37,13 +36,6 @@ std::vector<std::string> topics_of(const std::string& robot) {
   return topics;
 }
 
-/// Returns `name` if there are models of that name, otherwise "match": a recording may name models that no longer
-/// exist.
-std::string models_called(const std::string& name) {
-  const auto names = sim::io::names_of("models");
-  return std::ranges::find(names, name) == names.end() ? "match" : name;
-}
-
 /// Appends the default strategies to the given ones, without repetition, up to the greatest number of a question.
 std::vector<std::string> with_default_strategies(std::vector<std::string> strategies) {
   for (const std::string& name : default_strategies())
@@ -54,23 +46,9 @@ std::vector<std::string> with_default_strategies(std::vector<std::string> strate
 
 }  // namespace
 
-LabForesight::Setting LabForesight::setting_of(const memory::Channels& channels, const std::string& robot) const {
-  Setting setting{.rules = foreseeing::kNewestRules, .models = "match", .opponent_models = "match"};
-  const auto simulation = bridge::simulation_of(channels);
-  if (simulation && !simulation->value.rules().empty()) {
-    const foresight::SimulatedTeam &home = simulation->value.home(), &away = simulation->value.away();
-    const bool is_home = robot.starts_with(std::to_string(home.number()) + "/");
-    setting = {.rules = simulation->value.rules(),
-               .models = models_called((is_home ? home : away).models()),
-               .opponent_models = models_called((is_home ? away : home).models())};
-  }
-  if (!options_.rules.empty()) setting.rules = options_.rules;
-  return setting;
-}
-
 std::vector<std::string> LabForesight::strategies() const { return with_default_strategies(options_.strategies); }
 
-Result<std::shared_ptr<foreseeing::Foreseer>> LabForesight::foreseer_for(const Setting& setting) {
+Result<std::shared_ptr<foreseeing::Foreseer>> LabForesight::foreseer_for(const foreseeing::GameSetting& setting) {
   const std::lock_guard guard(lock_);
   if (foreseer_ && prepared_ == setting) return foreseer_;
   auto made = foreseeing::Foreseer::open({.strategies = strategies(),
@@ -100,7 +78,9 @@ Result<foresight::Forecast> LabForesight::ask(const logging::StreamOf& stream_of
     if (!stream) continue;
     if (Result<void> taken = take_over(*stream, topic, now_ns, clock, channels); !taken) return taken.failure(topic);
   }
-  const auto foreseer = foreseer_for(setting_of(channels, robot));
+  const auto simulation = bridge::simulation_of(channels);
+  const auto foreseer =
+      foreseer_for(foreseeing::setting_of(simulation ? &simulation->value : nullptr, robot, options_.rules));
   if (!foreseer) return foreseer.failure();
   return ask_for(**foreseer, channels, robot, question, now_ns);
 }

@@ -12,6 +12,7 @@
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/foresight/foreseer.h"
+#include "robot/foresight/game_setting.h"
 #include "robot/logging/streams/provider.h"
 #include "robot/memory/channels.h"
 
@@ -43,18 +44,11 @@ class LabForesight {
   void hurry();
 
  private:
-  /// The rules and models of a recorded simulation that a Foreseer needs.
-  struct Setting {
-    std::string rules, models, opponent_models;
-    bool operator==(const Setting&) const = default;
-  };
-
-  Setting setting_of(const memory::Channels& channels, const std::string& robot) const;
-  Result<std::shared_ptr<foreseeing::Foreseer>> foreseer_for(const Setting& setting);
+  Result<std::shared_ptr<foreseeing::Foreseer>> foreseer_for(const foreseeing::GameSetting& setting);
 
   const LabForesightOptions options_;
-  Mutex lock_;        // not held while a question runs
-  Setting prepared_;  // of `foreseer_`
+  Mutex lock_;                        // not held while a question runs
+  foreseeing::GameSetting prepared_;  // of `foreseer_`
   std::shared_ptr<foreseeing::Foreseer> foreseer_;
   bool hurries_ = false;
 };

@@ -75,7 +75,7 @@ KnownTrees::KnownTrees(const std::vector<std::string>& strategies) {
     if (auto tree = sim::io::load_strategy(name)) trees_.emplace_back(*std::move(tree));
 }
 
-Result<KnownTrees::Tree> KnownTrees::named(const std::string& name) const {
+Result<KnownTrees::Tree> KnownTrees::named(const std::string& name) {
   const auto found = std::ranges::find(trees_, name, [](const Tree& tree) { return tree->name(); });
   if (found != trees_.end()) return *found;
   const auto embedded = sim::io::names_of("strategies");
@@ -84,21 +84,19 @@ Result<KnownTrees::Tree> KnownTrees::named(const std::string& name) const {
                  "', and this program does not know that tree: start it with --strategies FILE"};
   auto tree = sim::io::load_strategy(name);
   if (!tree) return tree.failure();
-  return Tree(*std::move(tree));
+  return trees_.emplace_back(*std::move(tree));
 }
 
 Result<RecalledDecision> explain(const bridge::Recollection& from, const std::optional<pb::GroundTruth>& truth,
-                                 const RecalledGame& game, const KnownTrees& trees) {
+                                 sim::io::PreparedGame game, KnownTrees& trees) {
   if (!from.decision) return Error{"the robot has not decided anything: there is no object decision yet"};
   const pb::DecisionTrace& recorded = from.decision->value;
   auto tree = trees.named(recorded.strategy());
   if (!tree) return tree.failure();
-  auto prepared = sim::io::prepare({.rules = game.rules, .models = {game.models, game.models}});
-  if (!prepared) return prepared.failure();
-  prepared->behaviours[0] = *tree;
-  prepared->params.teams[0].behaviour = tree->get();
+  game.behaviours[0] = *tree;
+  game.params.teams[0].behaviour = tree->get();
 
-  const auto knowledge = bridge::knowledge_of(from, prepared->params);
+  const auto knowledge = bridge::knowledge_of(from, game.params);
   if (!knowledge) return knowledge.failure();
   const sim::debug::Decision decision{.robot = sim::robot_of(sim::Side::home, knowledge->game.player),
                                       .tick = knowledge->now,
@@ -107,14 +105,13 @@ Result<RecalledDecision> explain(const bridge::Recollection& from, const std::op
                                       .mind = knowledge->mind};
   const TrueState real = true_state(truth, from.game->value, decision);
   RecalledDecision recalled{
-      .game = *std::move(prepared), .tree = *std::move(tree), .why = {}, .has_truth = real.is_known, .agrees = false};
+      .game = std::move(game), .tree = *std::move(tree), .why = {}, .has_truth = real.is_known, .agrees = false};
   recalled.why = sim::debug::why(recalled.game.params, *recalled.tree, decision, real.state);
   const auto& visited = recorded.visited();
   recalled.agrees = recalled.why.plays
                         ? !visited.empty() && visited[visited.size() - 1].path() ==
                                                   recalled.tree->tree().leaf_words[recalled.why.leaf].path
                         : recorded.skill() == recalled.why.skill;
-  if (recalled.why.plays) find_sources(recalled.game.params, recalled.tree->tree(), recalled.why);
   return recalled;
 }
 

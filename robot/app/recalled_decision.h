@@ -22,17 +22,12 @@ class KnownTrees {
   /// Loads the strategies of that name or path. One that cannot be loaded, or is no tree, is left out.
   explicit KnownTrees(const std::vector<std::string>& strategies);
 
-  /// Returns the tree of that name, also an embedded one. The name comes from a client, so it is never a path.
-  Result<Tree> named(const std::string& name) const;
+  /// Returns the tree of that name, also an embedded one, which is then kept. The name comes from a client, so it is never
+  /// a path.
+  Result<Tree> named(const std::string& name);
 
  private:
   std::vector<Tree> trees_;
-};
-
-/// The game in which the robot decided.
-struct RecalledGame {
-  std::string rules;   // name, as on the command line
-  std::string models;  // of the own body
 };
 
 /// An explained decision.
@@ -44,10 +39,10 @@ struct RecalledDecision {
   bool agrees = false;     // the robot decided for the same leaf; the memory of its behaviour may differ
 };
 
-/// Makes the decision of `from` again and explains it. `from.now_ns` is its capture time. `truth` is that of the same
-/// moment; without the ball and the robot itself it is no help. Returns an Error that names a missing object, an unknown
-/// tree or a wrong rule.
+/// Makes the decision of `from` again and explains it, without the sources of its comparisons. `from.now_ns` is its capture
+/// time. `truth` is that of the same moment; without the ball and the robot itself it is no help. `game` has the rules, and
+/// the models of the home side are those of the robot. Returns an Error that names a missing object or an unknown tree.
 Result<RecalledDecision> explain(const bridge::Recollection& from, const std::optional<foresight::GroundTruth>& truth,
-                                 const RecalledGame& game, const KnownTrees& trees);
+                                 sim::io::PreparedGame game, KnownTrees& trees);
 
 }  // namespace robot::app

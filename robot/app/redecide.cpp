@@ -9,6 +9,7 @@
 #include "robot/agent/agent.h"
 #include "robot/core/csv.h"
 #include "robot/core/text.h"
+#include "robot/foresight/game_setting.h"
 #include "robot/logging/sessions/read_all.h"
 #include "sim/io/vocabulary.h"
 
@@ -163,14 +164,11 @@ Result<Redecisions> redecide(const logging::Session& session, const RedecideOpti
     return Error{session.id() + " has no object " + missing + " of robot " + decisions.robot +
                  ", and a decision needs it"};
 
-  std::string rules = options.rules;
-  if (rules.empty()) {
-    const auto simulations = logging::read_in_order<pb::Simulation>(session, bridge::kSimulationTopic);
-    rules = simulations.empty() || simulations.front().value.rules().empty() ? "spl2025"
-                                                                             : simulations.front().value.rules();
-  }
+  const auto simulations = logging::read_in_order<pb::Simulation>(session, bridge::kSimulationTopic);
+  const foreseeing::GameSetting setting = foreseeing::setting_of(
+      simulations.empty() ? nullptr : &simulations.front().value, decisions.robot, options.rules);
   auto agent = agent::Agent::load(
-      {.behaviour = options.strategy, .strategies = {}, .stale = 0, .rules = rules, .models = options.models});
+      {.behaviour = options.strategy, .strategies = {}, .stale = 0, .rules = setting.rules, .models = options.models});
   if (!agent) return agent.failure();
 
   decisions.strategy = options.strategy;

@@ -78,8 +78,9 @@ class WhyCommand final : public Command {
     auto session = game_.begin();
     if (!session) return fail(session.error());
     if (!json_) return answer(*session, "why");
-    const auto explained = session->explain(session->focus());
+    auto explained = session->explain(session->focus());
     if (!explained) return fail(explained.error());
+    find_sources(explained->setup->params, *explained->tree, explained->why);
     return print(report::to_json(explained->why, *explained->tree, session->name_of(session->focus())));
   }
 

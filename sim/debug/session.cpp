@@ -236,7 +236,6 @@ Result<Explanation> Session::explain(int robot) {
   SharedSetup setup = timeline_.setup_at(decision->tick);
   const agent::TreeBehaviour& behaviour = *tree_of(setup->params, robot);
   Why reasons = debug::why(setup->params, behaviour, *decision, timeline_.at(decision->tick));
-  find_sources(setup->params, behaviour.tree(), reasons);
   return Explanation{.setup = std::move(setup), .tree = &behaviour.tree(), .why = std::move(reasons)};
 }
 
@@ -244,8 +243,9 @@ Session::Answer Session::why(const Words& words) {
   if (words.size() > 2) return usage("why");
   const auto robot = robot_in(words, 1);
   if (!robot) return robot.failure();
-  const auto explained = explain(*robot);
+  auto explained = explain(*robot);
   if (!explained) return explained.failure();
+  find_sources(explained->setup->params, *explained->tree, explained->why);
   return text_of(explained->why, *explained->tree, name_of(*robot)) + "decided " + place_text(explained->why.state) +
          "\n";
 }

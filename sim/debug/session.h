@@ -30,7 +30,7 @@ class Session {
   /// Runs a line. An empty line and one that begins with '#' do nothing. The Error is one sentence, and nothing has changed.
   robot::Result<std::string> run(std::string_view line);
 
-  /// Explains the newest decision of a robot, by its index.
+  /// Explains the newest decision of a robot, by its index, without the sources of its comparisons.
   robot::Result<Explanation> explain(int robot);
   /// Finds what would have led that decision to a skill or a part of the tree.
   robot::Result<Alternative> alternative(const Explanation& to, const std::string& what) const;

@@ -11,13 +11,13 @@ const kWide = { width: 1600, height: 950 };
 const kTopics = [...kObjects.map((name) => `/14/2/${name}`), "/truth/world"];
 
 /** A game that is paused while 14/2 plays, and a client that has its objects. */
-async function pausedInPlay(t) {
+async function pausedInPlay(t, topics = kTopics) {
   const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--player", "2", "--seed", "7");
   const live = await Live.open(t, server);
-  for (const topic of kTopics) await live.subscribe(topic);
+  for (const topic of topics) await live.subscribe(topic);
   await live.call("/sim/step", { ticks: 1800 }); // through ready and set
   await live.call("/sim/step", { ticks: 300 });
-  return live;
+  return { server, live };
 }
 
 /** The newest object of each topic, as a request sends them. */
@@ -37,7 +37,7 @@ async function sent(live) {
 }
 
 test("why explains the newest decision, with truth and margins, and the same objects give the same reasons", async (t) => {
-  const live = await pausedInPlay(t);
+  const { live } = await pausedInPlay(t);
   const newest = await live.call("/decision/why", { robot: "14/2" });
   assert.equal(newest.ok, true, newest.error);
   const { reasons } = newest;
@@ -67,7 +67,7 @@ test("why explains the newest decision, with truth and margins, and the same obj
 });
 
 test("why not names a change, and refuses an unknown skill with a similar one", async (t) => {
-  const live = await pausedInPlay(t);
+  const { live } = await pausedInPlay(t);
   const request = await sent(live);
   const answer = await live.call("/decision/why_not", {
     ...request,
@@ -81,7 +81,7 @@ test("why not names a change, and refuses an unknown skill with a similar one", 
 });
 
 test("wrong requests get one sentence", async (t) => {
-  const live = await pausedInPlay(t);
+  const { live } = await pausedInPlay(t);
   const good = await sent(live);
   const { ball, decision, game } = good.objects;
   const wrong = [
@@ -104,13 +104,8 @@ test("wrong requests get one sentence", async (t) => {
 });
 
 test("the workspace Debug draws the tree, explains each decision, answers why not, and goes back", async (t) => {
-  const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--player", "2", "--seed", "7");
-  const live = await Live.open(t, server);
-  await live.call("/sim/step", { ticks: 1800 });
-  await live.call("/sim/step", { ticks: 300 });
-  const { page, problems } = await open(t, `${server.http}/#/14/2/field`, {
-    viewport: { width: 1600, height: 950 },
-  });
+  const { server, live } = await pausedInPlay(t, []);
+  const { page, problems } = await open(t, `${server.http}/#/14/2/field`, { viewport: kWide });
   await page.keyboard.press("D");
   const debug = page.getByRole("region", { name: "Debug", exact: true });
   const sentence = debug.getByRole("status", { name: "Why" });

@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "robot/app/recalled_decision.h"
+#include "robot/bridge/teams_seen.h"
 #include "robot/core/clock.h"
 #include "robot/core/encoding.h"
 #include "robot/core/json.h"
 #include "robot/core/json_library.h"
 #include "robot/core/text.h"
-#include "sim/io/source.h"
+#include "robot/foresight/game_setting.h"
 #include "sim/report/reasons.h"
 
 namespace robot::app {
@@ -22,7 +23,6 @@ using nlohmann::json;
 
 constexpr const char* kWhy = "/decision/why";
 constexpr const char* kWhyNot = "/decision/why_not";
-constexpr const char* kTruthTopic = "/truth/world";
 constexpr std::uint64_t kSameMomentNs = 200 * kMillisecond;
 constexpr std::size_t kMostText = 1000;  // [bytes] of a name or a path in a request
 
@@ -55,13 +55,14 @@ Result<bridge::Remembered<Message>> message_in(const json& object, const std::st
 }
 
 /// Reads the objects that a client sent.
-Result<Moment> sent_moment(const json& request, std::string robot) {
+Result<Moment> sent_moment(const memory::Channels& channels, const json& request, std::string robot) {
   Moment moment{.robot = std::move(robot), .objects = {}, .truth = {}};
   const auto at_ns = number_in_text<std::uint64_t>(request, "at_ns");
   if (!at_ns) return Error{"'at_ns' must be a time in nanoseconds as a text, because there are 'objects'"};
   const json& objects = request["objects"];
   if (!objects.is_object()) return Error{"'objects' must be an object"};
   moment.objects.now_ns = *at_ns;
+  moment.objects.speed = bridge::moment_of(channels, *at_ns).speed;
   Result<void> read;
   bridge::Recollection::visit(moment.objects,
                               [&]<class Message>(const char* name, std::optional<bridge::Remembered<Message>>& object) {
@@ -93,21 +94,23 @@ Result<Moment> newest_moment(const memory::Channels& channels, std::string robot
     return Error{"robot '" + printable(robot, 40) +
                  "' decides nothing now: its newest decision is older than its game"};
   Moment moment{.robot = robot, .objects = bridge::recollect(channels, robot, now_ns), .truth = {}};
-  if (auto truth = bridge::newest<pb::GroundTruth>(channels, kTruthTopic)) moment.truth = std::move(truth->value);
+  if (auto truth = bridge::newest<pb::GroundTruth>(channels, bridge::kTruthTopic))
+    moment.truth = std::move(truth->value);
   return moment;
 }
 
-/// Answers both questions.
+/// Answers both questions. Used by the thread that serves questions.
 class Reasons {
  public:
   Reasons(const memory::Channels& channels, const ReasonsOptions& options)
       : channels_(channels), rules_(options.rules), trees_(options.strategies) {}
 
-  Result<json> why(const json& request) const {
+  Result<json> why(const json& request) {
     const auto moment = moment_of(request);
     if (!moment) return moment.failure();
-    const auto recalled = recall(*moment);
+    auto recalled = recall(*moment);
     if (!recalled) return recalled.failure();
+    find_sources(recalled->game.params, recalled->tree->tree(), recalled->why);
     return json{
         {"ok", true},
         {"reasons", sim::report::to_json(recalled->why, recalled->tree->tree(), moment->robot, recalled->has_truth)},
@@ -115,7 +118,7 @@ class Reasons {
         {"agrees", recalled->agrees}};
   }
 
-  Result<json> why_not(const json& request) const {
+  Result<json> why_not(const json& request) {
     const auto what = text_in(request, "what");
     if (!what) return what.failure();
     const auto moment = moment_of(request);
@@ -137,34 +140,40 @@ class Reasons {
   Result<Moment> moment_of(const json& request) const {
     auto robot = text_in(request, "robot");
     if (!robot) return robot.failure();
-    return request.contains("objects") ? sent_moment(request, *std::move(robot))
+    return request.contains("objects") ? sent_moment(channels_, request, *std::move(robot))
                                        : newest_moment(channels_, *std::move(robot));
   }
 
-  Result<RecalledDecision> recall(const Moment& moment) const {
-    RecalledGame game{.rules = rules_.empty() ? "spl2025" : rules_, .models = "match"};
-    bridge::Recollection objects = moment.objects;
-    if (const auto simulation = bridge::simulation_of(channels_); simulation && !simulation->value.rules().empty()) {
-      const pb::Simulation& played = simulation->value;
-      const bool is_home = moment.robot.starts_with(std::to_string(played.home().number()) + "/");
-      game = {.rules = played.rules(), .models = (is_home ? played.home() : played.away()).models()};
-      if (played.speed() > 0) objects.speed = static_cast<double>(played.speed());
-    }
-    auto recalled = explain(objects, moment.truth, game, trees_);
+  Result<RecalledDecision> recall(const Moment& moment) {
+    const auto simulation = bridge::simulation_of(channels_);
+    const auto game = prepared(foreseeing::setting_of(simulation ? &simulation->value : nullptr, moment.robot, rules_));
+    if (!game) return game.failure();
+    auto recalled = explain(moment.objects, moment.truth, *game, trees_);
     if (!recalled) return recalled.failure("robot " + printable(moment.robot, 40));
     return recalled;
   }
 
+  /// Reads rules and models again only for another game than the last one.
+  Result<sim::io::PreparedGame> prepared(const foreseeing::GameSetting& setting) {
+    if (setting == setting_) return game_;
+    auto game = sim::io::prepare({.rules = setting.rules, .models = {setting.models, setting.opponent_models}});
+    if (!game) return game.failure();
+    setting_ = setting;
+    return game_ = *std::move(game);
+  }
+
   const memory::Channels& channels_;
   const std::string rules_;
-  const KnownTrees trees_;
+  KnownTrees trees_;
+  foreseeing::GameSetting setting_;  // of `game_`
+  sim::io::PreparedGame game_;
 };
 
 }  // namespace
 
 void add_reasons_service(net::Services& services, const memory::Channels& channels, const ReasonsOptions& options) {
-  const auto reasons = std::make_shared<const Reasons>(channels, options);
-  const auto add = [&](const char* name, Result<json> (Reasons::*ask)(const json&) const) {
+  const auto reasons = std::make_shared<Reasons>(channels, options);
+  const auto add = [&](const char* name, Result<json> (Reasons::*ask)(const json&)) {
     services.add(name, net::Services::For::questions,
                  [reasons, name, ask](const json& request, const net::ClientContext&) {
                    auto answer = ((*reasons).*ask)(request);

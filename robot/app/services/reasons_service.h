@@ -12,7 +12,7 @@ namespace robot::app {
 /// The trees and the rules of explained decisions.
 struct ReasonsOptions {
   std::vector<std::string> strategies;  // by name or path, beside the embedded ones
-  std::string rules;                    // of a game that is not simulated; empty: the newest
+  std::string rules;                    // empty: those of the simulation, or the newest of a real game
 };
 
 /// Adds these questions about the robots in `channels`, which outlive the server:

@@ -6,7 +6,7 @@ namespace robot::foreseeing {
 namespace {
 
 /// Returns a forecast of three strategies in which baseline is the best and each gain is `gain` ± `reach`.
-pb::Forecast foretold(float gain, float reach) {
+pb::Forecast forecast_of_gain(float gain, float reach) {
   pb::Forecast forecast;
   forecast.set_reason("keeps baseline: passing would gain 0.30 ± 0.40 goals, which may be chance (100 futures)");
   for (const char* name : {"baseline", "kick_now", "passing"}) {
@@ -22,7 +22,7 @@ pb::Forecast foretold(float gain, float reach) {
 }
 
 TEST(Wording, AReturnToTheDefaultNamesTheForecastOfThePlayedStrategy) {
-  const auto back = [](float gain, float reach) { return reason_of(foretold(gain, reach), "kick_now", "baseline"); };
+  const auto back = [](float gain, float reach) { return reason_of(forecast_of_gain(gain, reach), "kick_now", "baseline"); };
   EXPECT_EQ(back(0.25f, 0.5f),
             "back to baseline: kick_now would gain 0.25 ± 0.50 goals, which may be chance (100 futures)");
   EXPECT_EQ(back(0.25f, 0.125f),
@@ -30,29 +30,29 @@ TEST(Wording, AReturnToTheDefaultNamesTheForecastOfThePlayedStrategy) {
   EXPECT_EQ(back(-0.25f, 0.5f),
             "back to baseline: kick_now does not look better, with 0.25 ± 0.50 goals less (100 futures)");
   EXPECT_EQ(back(-0.75f, 0.5f), "back to baseline: kick_now would lose 0.75 ± 0.50 goals (100 futures)");
-  EXPECT_EQ(reason_of(foretold(0, 1), "old", "baseline"), "back to baseline: old was not asked about");
+  EXPECT_EQ(reason_of(forecast_of_gain(0, 1), "old", "baseline"), "back to baseline: old was not asked about");
 }
 
 TEST(Wording, NoDifferenceIsASentenceInsteadOfZeros) {
-  EXPECT_EQ(reason_of(foretold(0, 0), "kick_now", "baseline"),
+  EXPECT_EQ(reason_of(forecast_of_gain(0, 0), "kick_now", "baseline"),
             "back to baseline: no difference from kick_now was seen in 100 futures");
-  EXPECT_EQ(reason_of(foretold(0.002f, 0.004f), "kick_now", "kick_now"),
+  EXPECT_EQ(reason_of(forecast_of_gain(0.002f, 0.004f), "kick_now", "kick_now"),
             "stays with kick_now: no difference from baseline was seen in 100 futures");
 }
 
 TEST(Wording, StayingWithTheDefaultGivesTheForecastsReason) {
-  EXPECT_EQ(reason_of(foretold(0.25f, 0.5f), "baseline", "baseline"), foretold(0, 0).reason());
+  EXPECT_EQ(reason_of(forecast_of_gain(0.25f, 0.5f), "baseline", "baseline"), forecast_of_gain(0, 0).reason());
 }
 
 TEST(Wording, AChangeNamesThePlayedStrategy) {
-  EXPECT_EQ(reason_of(foretold(0.75f, 0.5f), "kick_now", "passing"),
+  EXPECT_EQ(reason_of(forecast_of_gain(0.75f, 0.5f), "kick_now", "passing"),
             "changes from kick_now to passing: that gains 0.75 ± 0.50 goals over baseline (100 futures)");
-  EXPECT_EQ(reason_of(foretold(0.75f, 0.5f), "kick_now", "kick_now"),
+  EXPECT_EQ(reason_of(forecast_of_gain(0.75f, 0.5f), "kick_now", "kick_now"),
             "stays with kick_now: that gains 0.75 ± 0.50 goals over baseline (100 futures)");
 }
 
 TEST(Wording, AnotherMeasureHasAnotherUnit) {
-  pb::Forecast forecast = foretold(0.25f, 0.125f);
+  pb::Forecast forecast = forecast_of_gain(0.25f, 0.125f);
   forecast.mutable_question()->set_measure(pb::WhatIf::MEASURE_SCORE_NEXT);
   EXPECT_EQ(reason_of(forecast, "baseline", "passing"),
             "changes from baseline to passing: that gains 0.25 ± 0.12 in probability over baseline (100 futures)");

@@ -24,7 +24,7 @@ struct Reasons : ::testing::Test {
         if (!decision) return;
         const agent::TreeBehaviour& behaviour = *debug::tree_of(setup->params, robot);
         Why why = debug::why(setup->params, behaviour, *decision, timeline.at(decision->tick));
-        if (why.plays) find_sources(setup->params, behaviour.tree(), why);
+        find_sources(setup->params, behaviour.tree(), why);
         see(why, behaviour.tree());
       });
   }

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { History } from "./history";
-import { alternativeOf, reasonsOf, requestAt } from "./reasons";
+import { alternativeOf, knownThen, reasonsOf, requestOf } from "./reasons";
 import { memoryWith } from "./test_memory";
 
 const kNow = 5_000_000_000n;
@@ -13,11 +13,13 @@ function objectAt(...times: number[]) {
   );
   return { history, shown: history.get(history.end - 1) };
 }
-const requestOf = (objects: Record<string, ReturnType<typeof objectAt>>) =>
-  requestAt(memoryWith({ get: (topic) => objects[topic] }), "14/2");
+function requestFrom(objects: Record<string, ReturnType<typeof objectAt>>) {
+  const known = knownThen(memoryWith({ get: (topic) => objects[topic] }), "14/2");
+  return known && requestOf(known);
+}
 
 test("a question holds the newest message of each object at the decision, and the truth", () => {
-  const request = requestOf({
+  const request = requestFrom({
     "/14/2/decision": objectAt(0),
     "/14/2/ball": objectAt(-300, -20, 40),
     "/14/3/ball": objectAt(0),
@@ -35,7 +37,7 @@ test("a question holds the newest message of each object at the decision, and th
 });
 
 test("of an object that is only known since a moment later, that message is taken, but no later one", () => {
-  const request = requestOf({
+  const request = requestFrom({
     "/14/2/decision": objectAt(0),
     "/14/2/team": objectAt(90),
     "/14/2/pose": objectAt(110),
@@ -44,7 +46,7 @@ test("of an object that is only known since a moment later, that message is take
 });
 
 test("without a decision there is no question", () => {
-  expect(requestOf({ "/14/2/ball": objectAt(0) })).toBeUndefined();
+  expect(requestFrom({ "/14/2/ball": objectAt(0) })).toBeUndefined();
 });
 
 const kAnswer = {
@@ -81,7 +83,7 @@ const kAnswer = {
     narrowest: 0,
   },
 };
-const kAsked = { robot: "14/2", at_ns: "5000000000" };
+const kAsked = { robot: "14/2", at_ns: kNow };
 
 test("the answer's path refers to its comparisons", () => {
   const reasons = reasonsOf(kAnswer, kAsked);

@@ -1,9 +1,11 @@
 // The reasons of a decision, as a server computes them: the question with the objects of the shown moment, and the answer.
 
 import { base64Encode } from "@bufbuild/protobuf/wire";
+import type { Entry } from "./history";
 import type { Memory } from "./memory";
 import type { MemoryObject, RobotName } from "./memory_object";
 import type { RobotObject } from "./schema";
+import { kTruth } from "./vocabulary";
 
 export const kWhy = "/decision/why";
 export const kWhyNot = "/decision/why_not";
@@ -31,28 +33,45 @@ export interface ReasonsRequest {
   objects: Record<string, { capture_ns: string; data: string }>;
 }
 
-/** Returns the question about the shown decision of a robot, or undefined if none is shown. */
-export function requestAt(memory: Memory, robot: RobotName): ReasonsRequest | undefined {
+/** The shown decision of a robot, and what it knew then. */
+export interface KnownThen {
+  robot: RobotName;
+  /** [ns] Capture time of the decision. */
+  at_ns: bigint;
+  /** By the names of a question. */
+  entries: [name: string, entry: Entry][];
+}
+
+/** Returns undefined if no decision is shown. */
+export function knownThen(memory: Memory, robot: RobotName): KnownThen | undefined {
   const decision = memory.of(robot, "decision")?.shown;
   if (!decision) return undefined;
   const at_ns = decision.log_ns;
-  const objects: ReasonsRequest["objects"] = {};
+  const entries: KnownThen["entries"] = [];
   const add = (name: string, object: Pick<MemoryObject, "history" | "shown"> | undefined) => {
     const entry = object?.history.at(at_ns) ?? object?.shown;
-    if (entry && entry.log_ns <= at_ns + kSameMoment_ns)
-      objects[name] = { capture_ns: String(entry.log_ns), data: base64Encode(entry.data) };
+    if (entry && entry.log_ns <= at_ns + kSameMoment_ns) entries.push([name, entry]);
   };
   for (const name of kRead) add(name, memory.of(robot, name));
-  add("truth", memory.world("/truth/world"));
-  return { robot, at_ns: String(at_ns), objects };
+  add("truth", memory.world(kTruth));
+  return { robot, at_ns, entries };
 }
+
+/** Returns the question about that decision. */
+export const requestOf = ({ robot, at_ns, entries }: KnownThen): ReasonsRequest => ({
+  robot,
+  at_ns: String(at_ns),
+  objects: Object.fromEntries(
+    entries.map(([name, { log_ns, data }]) => [name, { capture_ns: String(log_ns), data: base64Encode(data) }]),
+  ),
+});
 
 /** A part of the tree: all that lies below a name. */
 export interface Part {
   path: string;
   name: string;
   depth: number;
-  /** Of a leaf only. */
+  /** Only a leaf has a skill. */
   skill: string | undefined;
   taken: boolean;
 }
@@ -97,7 +116,6 @@ export interface Reasons {
   narrowest: Reason | undefined;
   /** False if the robot reached another leaf: the memory of its behaviour is not recorded. */
   agrees: boolean;
-  hasTruth: boolean;
 }
 
 /** The answer to "why not?". */
@@ -117,7 +135,7 @@ const maybe = (value: unknown): string | undefined => (typeof value === "string"
 const count = (value: unknown): number => (typeof value === "number" ? value : 0);
 
 /** Reads the answer of kWhy. A part that is missing or of another type becomes empty. */
-export function reasonsOf(answer: Json, { robot, at_ns }: Pick<ReasonsRequest, "robot" | "at_ns">): Reasons {
+export function reasonsOf(answer: Json, { robot, at_ns }: Pick<KnownThen, "robot" | "at_ns">): Reasons {
   const told = objectOf(answer["reasons"]);
   const comparisons = listOf(told["comparisons"]).map((one): Comparison => ({
     node: count(one["node"]),
@@ -150,7 +168,7 @@ export function reasonsOf(answer: Json, { robot, at_ns }: Pick<ReasonsRequest, "
   });
   return {
     robot,
-    at_ns: BigInt(at_ns),
+    at_ns,
     sentence: text(told["sentence"]),
     skill: text(told["skill"]),
     role: text(told["role"]),
@@ -167,7 +185,6 @@ export function reasonsOf(answer: Json, { robot, at_ns }: Pick<ReasonsRequest, "
     path,
     narrowest: typeof told["narrowest"] === "number" ? path[told["narrowest"]] : undefined,
     agrees: answer["agrees"] === true,
-    hasTruth: answer["has_truth"] === true,
   };
 }
 

@@ -84,3 +84,6 @@ const twoHex = (byte: number): string => byte.toString(16).padStart(2, "0");
 /** The first `most` bytes in hex. */
 export const hex = (data: Uint8Array, most: number): string =>
   Array.from(data.subarray(0, most), twoHex).join(" ") + (data.length > most ? " …" : "");
+
+/** A name as words: "walk to ball" for "walk_to_ball". */
+export const words = (name: string): string => name.replaceAll("_", " ");

@@ -6,7 +6,7 @@ import type { Ball, GameState, RobotObject } from "../memory/schema";
 import type { LinkStatistics, StreamStatistics } from "../memory/statistics";
 import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields } from "../memory/value";
 import { kTruth } from "../memory/vocabulary";
-import { count, duration } from "./format";
+import { count, duration, words } from "./format";
 
 /** `wrong`: a person should look; `aside`: it does not play, and that is right. */
 export type Mood = "well" | "aside" | "wrong";
@@ -47,7 +47,7 @@ export function tileOf(memory: Memory, robot: RobotName, now: number, still: boo
   const hottest = Math.max(...temperatures.filter((value) => Number.isFinite(value)), -Infinity);
   return {
     ...stateOf(memory, robot, now, still, game, wordOf(read("motion_status"), "fall")),
-    skill: textOf(decision, "skill").replaceAll("_", " "),
+    skill: words(textOf(decision, "skill")),
     role: textOf(decision, "role"),
     ball: ballWords(memory, read("ball"), now),
     battery: Number.isFinite(charge) ? `${Math.round(100 * charge)} %` : "",
@@ -80,7 +80,7 @@ function stateOf(
     const left = Math.ceil(numberOf(player, "seconds_till_unpenalised"));
     return { state: left > 0 ? `penalised ${left} s` : "penalised", mood: "aside" };
   }
-  return { state: wordOf(game, "state").replaceAll("_", " ") || "here", mood: "well" };
+  return { state: words(wordOf(game, "state")) || "here", mood: "well" };
 }
 
 /** [s] since the newest shown value of the robot. Undefined without any. */

@@ -1,6 +1,15 @@
 // The reasons of the shown decision: asked for anew when the page shows another one.
 
-import { alternativeOf, kWhy, kWhyNot, reasonsOf, requestAt, type Alternative, type Reasons } from "../memory/reasons";
+import {
+  alternativeOf,
+  knownThen,
+  kWhy,
+  kWhyNot,
+  reasonsOf,
+  requestOf,
+  type Alternative,
+  type Reasons,
+} from "../memory/reasons";
 import type { Pane } from "./pane.svelte";
 
 /** An answer to "why not?", with its question. */
@@ -32,15 +41,15 @@ export class ReasonsAsker {
   async follow(): Promise<void> {
     if (this.#asking || !this.offered) return;
     const { server, robot } = this.viewer;
-    const request = requestAt(server.memory, robot);
-    if (!request) return;
+    const known = knownThen(server.memory, robot);
+    if (!known) return;
     // after a seek some objects arrive later than the decision
-    const shown = [robot, ...Object.values(request.objects).map(({ capture_ns }) => capture_ns)].join(" ");
+    const shown = [robot, ...known.entries.map(([name, { log_ns }]) => `${name} ${log_ns}`)].join(" ");
     if (shown === this.#asked) return;
     this.#asked = shown;
     this.#asking = true;
     try {
-      this.reasons = reasonsOf(await server.client.call(kWhy, request), request);
+      this.reasons = reasonsOf(await server.client.call(kWhy, requestOf(known)), known);
       this.problem = "";
     } catch (error) {
       this.reasons = undefined;
@@ -53,12 +62,12 @@ export class ReasonsAsker {
   /** Asks why the shown decision did not reach a part of the tree. */
   async askWhyNot(path: string, title: string): Promise<void> {
     const { server, robot } = this.viewer;
-    const request = requestAt(server.memory, robot);
-    if (!request) return;
-    const asked = { path, title, at_ns: BigInt(request.at_ns), alternative: undefined, problem: "" };
+    const known = knownThen(server.memory, robot);
+    if (!known) return;
+    const asked = { path, title, at_ns: known.at_ns, alternative: undefined, problem: "" };
     this.whyNot = asked;
     try {
-      const answer = await server.client.call(kWhyNot, { ...request, what: path });
+      const answer = await server.client.call(kWhyNot, { ...requestOf(known), what: path });
       if (this.whyNot === asked) this.whyNot = { ...asked, alternative: alternativeOf(answer) };
     } catch (error) {
       if (this.whyNot === asked)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "robot/core/json_library.h"
+#include "tests/robot/app/services/call.h"
 #include "tests/robot/body/sim/support.h"
 
 namespace robot::app {
@@ -18,12 +19,7 @@ struct ReasonsService : ::testing::Test {
     add_reasons_service(services, channels, {});
   }
 
-  json call(const std::string& name, const json& request) {
-    for (const auto& service : services.list())
-      if (service.name == name) return json::parse(services.call(service.id, request.dump(), {.may_control = true}));
-    ADD_FAILURE() << "there is no service " << name;
-    return {};
-  }
+  json call(const std::string& name, const json& request) { return tests::call(services, name, request); }
 
   const SessionClock clock;
   std::unique_ptr<body::SimBody> body = std::move(*body::SimBody::open(tests::setup(), {.seed = 7}, clock));
@@ -34,6 +30,7 @@ struct ReasonsService : ::testing::Test {
 TEST_F(ReasonsService, DecisionsOfAGameAreMadeAgainFromTheBeliefs) {
   ASSERT_TRUE(body->step(1500));
   int asked = 0, agreed = 0;
+  std::size_t sources = 0;
   for (int moment = 0; moment < 20; ++moment) {
     ASSERT_TRUE(body->step(37));
     for (const char* robot : {"14/1", "14/2", "14/3", "14/4", "5/1", "5/2", "5/3", "5/4"}) {
@@ -46,9 +43,11 @@ TEST_F(ReasonsService, DecisionsOfAGameAreMadeAgainFromTheBeliefs) {
       ++asked;
       agreed += answer["agrees"] == true;
       EXPECT_EQ(answer["has_truth"], true);
+      for (const json& reason : answer["reasons"]["path"]) sources += reason["sources"].size();
     }
   }
   EXPECT_GT(asked, 100);
+  EXPECT_GT(sources, 100u);
   EXPECT_GE(agreed, asked * 98 / 100) << asked;  // the memory of a behaviour is not recorded
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "robot/core/json_library.h"
+#include "tests/robot/app/services/call.h"
 #include "tests/robot/body/sim/support.h"
 
 namespace robot::app {
@@ -18,10 +19,7 @@ struct SimulationService : ::testing::Test {
   SimulationService() { add_simulation_service(*body, services); }
 
   json call(const std::string& name, const json& request = json::object()) {
-    for (const auto& service : services.list())
-      if (service.name == name) return json::parse(services.call(service.id, request.dump(), {.may_control = true}));
-    ADD_FAILURE() << "there is no service " << name;
-    return {};
+    return tests::call(services, name, request);
   }
 
   const SessionClock clock;

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { changesBetween } from "./decision_changes";
-import type { Decision, Visit } from "./decisions";
+import type { Decision, Visit } from "../memory/decisions";
 
 const visit = (path: string, result: boolean, value = 0.4): Visit => ({
   path,

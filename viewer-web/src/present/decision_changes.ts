@@ -1,8 +1,8 @@
 // The differences between two decisions of one robot, as sentences.
 
-import { comparison, type Decision, type Visit } from "./decisions";
+import { comparison, type Decision, type Visit } from "../memory/decisions";
+import { words } from "./format";
 
-const words = (text: string): string => text.replaceAll("_", " ");
 const conditionOf = (visit: Visit): string => visit.condition || visit.name;
 
 /** Returns one sentence for each difference that matters, the skill first. Empty if the same path was taken. */
