@@ -89,7 +89,8 @@ TEST_F(Reasons, ThePathHoldsValueTruthMarginAndTheOtherLeaf) {
 
 TEST_F(Reasons, WithoutTruthNothingOfItIsTold) {
   for_each_decision([&](const Why& why, const agent::Tree& tree) {
-    for (const Json& reason : to_json(why, tree, "14/2", false)["path"]) {
+    const Json json = to_json(why, tree, "14/2", false);
+    for (const Json& reason : json["path"]) {
       EXPECT_TRUE(reason["truth"].is_null());
       EXPECT_EQ(reason["misled"], false);
       for (const Json& source : reason["sources"]) {
