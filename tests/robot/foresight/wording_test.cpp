@@ -22,7 +22,9 @@ pb::Forecast forecast_of_gain(float gain, float reach) {
 }
 
 TEST(Wording, AReturnToTheDefaultNamesTheForecastOfThePlayedStrategy) {
-  const auto back = [](float gain, float reach) { return reason_of(forecast_of_gain(gain, reach), "kick_now", "baseline"); };
+  const auto back = [](float gain, float reach) {
+    return reason_of(forecast_of_gain(gain, reach), "kick_now", "baseline");
+  };
   EXPECT_EQ(back(0.25f, 0.5f),
             "back to baseline: kick_now would gain 0.25 ± 0.50 goals, which may be chance (100 futures)");
   EXPECT_EQ(back(0.25f, 0.125f),
