@@ -62,6 +62,7 @@ json describe(const logging::Session& session, bool foxglove) {
           {"end_ns", exact(session.end_ns)},
           {"size_bytes", session.size_bytes},
           {"state", name(session.state)},
+          {"read", session.read},
           {"message", session.message},
           {"kept", session.info.kept},
           {"only", session.info.only},

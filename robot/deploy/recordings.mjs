@@ -4,7 +4,8 @@ import { BadInput, RobotFailed } from "./failure.mjs";
 import { answers } from "./ssh.mjs";
 
 const kSilence_ms = 5000; // timeout of a connection that transfers
-const kReading_ms = 120000; // the robot reads whole files for their checksums, from a slow disk
+const kReading_ms = 120000; // the robot reads whole files, for their checksums or an index, from a slow disk
+const kPause_ms = 250; // between two questions whether it has read them
 const kSockets = 3;
 
 /** A failure for which the robot did answer: it refused the request. */
@@ -82,12 +83,18 @@ export class Recordings {
     }
   }
 
-  /** Returns [{session, state, kept, start_ns, streams: [{file, schema, size_bytes}]}]. */
+  /** Returns [{session, state, kept, start_ns, streams: [{file, schema, size_bytes}]}] once the robot knows all streams. */
   async sessions() {
-    const { sessions } = await this.#json("/api/sessions");
-    if (!Array.isArray(sessions) || !sessions.every(isSession)) throw new RobotFailed("expected a list of sessions, got something else: is that runtime older than this command?");
-    for (const { session } of sessions) safeName(session);
-    return sessions;
+    const end_ms = performance.now() + kReading_ms;
+    for (;;) {
+      const { sessions } = await this.#json("/api/sessions");
+      if (!Array.isArray(sessions) || !sessions.every(isSession)) throw new RobotFailed("expected a list of sessions, got something else: is that runtime older than this command?");
+      for (const { session } of sessions) safeName(session);
+      const unread = sessions.find(({ read }) => read === false);
+      if (!unread) return sessions;
+      if (performance.now() > end_ms) throw new RobotFailed(`${unread.session}: the robot has been reading it for ${kReading_ms / 1000} s: run the command again later`);
+      await new Promise((done) => setTimeout(done, kPause_ms));
+    }
   }
 
   /** Returns [{name, size_bytes, crc32}]: all files of a session that is not being recorded. */

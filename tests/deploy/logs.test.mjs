@@ -104,6 +104,15 @@ describe("logs", { concurrency: true }, () => {
     assert.deepEqual(arrived(folder, "tim", "one", "here"), sorted(sessions.one.files));
   });
 
+  test("a session that the robot is still reading is awaited, so that its images stay there", async (t) => {
+    const sessions = { one: { ...session(1), unread: 2 } };
+    const robot = await serveRecordings(t, sessions);
+    const { folder, logs } = person(t, { tim: robot });
+    assert.equal((await logs("tim", "--no-images")).status, 0);
+    assert.equal(robot.asked.filter((line) => line === "GET /api/sessions").length, 3);
+    assert.equal(arrived(folder, "tim", "one")["14.2.camera_top.mcap"], undefined);
+  });
+
   test("only complete sessions are deleted", async (t) => {
     const sessions = {
       one: session(1),

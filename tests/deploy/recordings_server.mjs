@@ -5,19 +5,22 @@ import { crc32 } from "../../robot/deploy/crc32.mjs";
 const hex = (bytes) => crc32(bytes).toString(16).padStart(8, "0");
 
 /**
- * Serves `sessions`: {id: {files: {name: Buffer}, state, kept, schemas: {name: schema}}} on loopback until test `t` ends.
+ * Serves `sessions`: {id: {files: {name: Buffer}, state, kept, unread, schemas: {name: schema}}} on loopback until test `t` ends.
  * `asked` becomes the list of all requests, "METHOD path range". `fail(path, response)`, which may be set, answers in its
- * place when it returns true. `token` is the control token.
+ * place when it returns true. `token` is the control token. The first `unread` lists do not know the session's streams.
  */
 export async function serveRecordings(t, sessions, token = "12345678") {
   const served = { asked: [], token };
   const sentence = (response, status, error) => response.writeHead(status).end(JSON.stringify({ error }));
 
-  const describe = ([session, { files, state = "complete", kept = false, schemas = {} }]) => {
-    const streams = Object.keys(files).filter((name) => name.endsWith(".mcap"));
+  const describe = ([session, recorded]) => {
+    const { files, state = "complete", kept = false, schemas = {} } = recorded;
+    const read = !(recorded.unread-- > 0);
+    const streams = Object.keys(files).filter((name) => read && name.endsWith(".mcap"));
     return {
       session,
       state,
+      read,
       kept,
       start_ns: "1795321006961272091",
       streams: streams.map((file) => ({

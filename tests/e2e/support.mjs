@@ -212,7 +212,7 @@ export const statusOf = (server) => getJson(server, "/api/status");
 export const sessionsOf = (server) =>
   until(async () => {
     const { sessions } = await getJson(server, "/api/sessions");
-    return sessions.every(({ message }) => !message.startsWith("its files are being read")) && sessions;
+    return sessions.every(({ read }) => read) && sessions;
   }, "the account of all sessions");
 
 /** Waits until a recording has begun. Returns the name of its session. */

@@ -40,6 +40,7 @@ struct Session {
   std::filesystem::path folder;  // without a slash at its end
   SessionInfo info;
   SessionState state = SessionState::complete;
+  bool read = true;     // false: its files are still being read; `streams` and times may be missing or old
   std::string message;  // one sentence about a problem, or empty
   std::string rebuilt;  // reason why `info` is from the MCAP files, because session.json cannot be read; or empty
   std::vector<StreamFile> streams;

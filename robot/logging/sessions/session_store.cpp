@@ -152,8 +152,10 @@ std::vector<Session> SessionStore::list_within(std::uint64_t wait_ns) const {
     if (!session && candidate.described) session = described(candidate);
     if (!session || !*session) continue;
     sessions.push_back(std::move(**session));
-    if (may_be_session(candidate) && !known(candidate, false) && sessions.back().state != SessionState::recording)
+    if (may_be_session(candidate) && !known(candidate, false) && sessions.back().state != SessionState::recording) {
+      sessions.back().read = false;
       sessions.back().message = "its files are being read; until then this is incomplete";
+    }
   }
   std::ranges::sort(sessions, [](const Session& left, const Session& right) { return is_older(right, left); });
   return sessions;
