@@ -43,7 +43,7 @@ async function importHalves() {
   return sessions;
 }
 
-export async function realism({ games = 12, jobs = 2 }) {
+export async function realism({ games = 100, jobs = 2 }) {
   const report = new Report("realism", "are simulated games like real ones?");
   for (const { name, choice, bar } of kChoices)
     tell(
