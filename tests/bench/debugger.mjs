@@ -1,10 +1,13 @@
 // How long does a person wait for the debugger in a game of 20 minutes, and what do traces cost?
-import { start } from "./programs.mjs";
+import { statSync } from "node:fs";
+import { join } from "node:path";
+import { scratch, start } from "./programs.mjs";
 import { median, Report } from "./report.mjs";
 
 const kSeed = 7;
 const kHalf = 600; // [s]
 const kPlaces = 200;
+const kRules = `spl2012:4,half_duration=${kHalf}`; // as in bench_debugger
 
 export async function debuggerTimes({ games = 100 }) {
   const report = new Report("debugger", "does a person wait for the past of a game?");
@@ -18,5 +21,12 @@ export async function debuggerTimes({ games = 100 }) {
     report.figure(`searching the whole game for '${condition}'`, ms / 1000, "s", { atMost: 1 });
   report.figure("a game without traces", seen.game_ms, "ms");
   report.figure("traces of all robots: longer by", 100 * (seen.traced_game_ms / seen.game_ms - 1), "%", { atMost: 10 });
+  const file = join(scratch, "game.mcap");
+  await start("foresight-sim", ["match", "--seed", kSeed, "--rules", kRules, "--mcap", file]).output;
+  // beliefs and truth are in the file, too: the traces alone need less
+  const robot_minutes = (8 * seen.ticks) / 1800;
+  report.figure("recording with traces, of a robot and minute", statSync(file).size / 1e6 / robot_minutes, "MB", {
+    atMost: 1,
+  });
   return report.finish();
 }
