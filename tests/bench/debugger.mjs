@@ -7,12 +7,13 @@ import { median, Report } from "./report.mjs";
 const kSeed = 7;
 const kHalf = 600; // [s]
 const kPlaces = 200;
-const kRules = `spl2012:4,half_duration=${kHalf}`; // as in bench_debugger
+const kPlayers = 4; // of a side, in bench_debugger, too
 
 export async function debuggerTimes({ games = 100 }) {
   const report = new Report("debugger", "does a person wait for the past of a game?");
   const seen = await start("bench_debugger", [kSeed, kHalf, kPlaces, games]).report;
-  report.figure("length of the game", seen.ticks / 1800, "min");
+  const minutes = seen.ticks / 1800;
+  report.figure("length of the game", minutes, "min");
   report.figure("going to a tick: median", median(seen.goto_ms), "ms");
   report.figure("going to a tick: slowest", Math.max(...seen.goto_ms), "ms", { atMost: 50 });
   report.figure("going to a tick without key frames: slowest", Math.max(...seen.cold_goto_ms), "ms", { atMost: 50 });
@@ -22,11 +23,10 @@ export async function debuggerTimes({ games = 100 }) {
   report.figure("a game without traces", seen.game_ms, "ms");
   report.figure("traces of all robots: longer by", 100 * (seen.traced_game_ms / seen.game_ms - 1), "%", { atMost: 10 });
   const file = join(scratch, "game.mcap");
-  await start("foresight-sim", ["match", "--seed", kSeed, "--rules", kRules, "--mcap", file]).output;
+  const rules = `spl2012:${kPlayers},half_duration=${kHalf}`;
+  await start("foresight-sim", ["match", "--seed", kSeed, "--rules", rules, "--mcap", file]).output;
   // beliefs and truth are in the file, too: the traces alone need less
-  const robot_minutes = (8 * seen.ticks) / 1800;
-  report.figure("recording with traces, of a robot and minute", statSync(file).size / 1e6 / robot_minutes, "MB", {
-    atMost: 1,
-  });
+  const mb = statSync(file).size / 1e6 / (2 * kPlayers * minutes);
+  report.figure("recording with traces, of a robot and minute", mb, "MB", { atMost: 1 });
   return report.finish();
 }

@@ -5,17 +5,20 @@ import { crc32 } from "../../robot/deploy/crc32.mjs";
 const hex = (bytes) => crc32(bytes).toString(16).padStart(8, "0");
 
 /**
- * Serves `sessions`: {id: {files: {name: Buffer}, state, kept, unread, schemas: {name: schema}}} on loopback until test `t` ends.
- * `asked` becomes the list of all requests, "METHOD path range". `fail(path, response)`, which may be set, answers in its
- * place when it returns true. `token` is the control token. The first `unread` lists do not know the session's streams.
+ * Serves `sessions`: {id: {files: {name: Buffer}, state, kept, unread, schemas: {name: schema}}} on loopback until test
+ * `t` ends. The first `unread` lists do not know a session's streams yet. `asked` becomes the list of all requests,
+ * "METHOD path range". `fail(path, response)`, which may be set, answers in its place when it returns true. `token` is
+ * the control token.
  */
 export async function serveRecordings(t, sessions, token = "12345678") {
   const served = { asked: [], token };
   const sentence = (response, status, error) => response.writeHead(status).end(JSON.stringify({ error }));
 
-  const describe = ([session, recorded]) => {
-    const { files, state = "complete", kept = false, schemas = {} } = recorded;
-    const read = !(recorded.unread-- > 0);
+  const lists = new Map(); // session -> how many lists it was in
+  const describe = ([session, { files, state = "complete", kept = false, unread = 0, schemas = {} }]) => {
+    const before = lists.get(session) ?? 0;
+    lists.set(session, before + 1);
+    const read = before >= unread;
     const streams = Object.keys(files).filter((name) => read && name.endsWith(".mcap"));
     return {
       session,

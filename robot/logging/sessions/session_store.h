@@ -37,7 +37,7 @@ class SessionStore {
   std::vector<Session> list() const;
 
   /// As list(), but waits at most `wait_ns` for sessions that another thread then reads: the index of a large recording
-  /// without one takes long. Such a session is as it was read last, or as its session.json says; it is not marked as `read`.
+  /// without one takes long. Such a session is as it was read last, or as its session.json says, and not marked `read`.
   std::vector<Session> list_within(std::uint64_t wait_ns) const;
 
   /// Returns the session `id`, or an Error if there is none. Refuses an id that contains a path.
