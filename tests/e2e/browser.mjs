@@ -45,6 +45,10 @@ after(() => Promise.all([...launched.values()].map(async (browser) => (await bro
 export const kDesktop = { width: 1280, height: 800 };
 export const kPhone = { width: 390, height: 844 };
 
+/** What Chromium writes when a server ends, by the moment in which a connection breaks. */
+const kBrokenConnection =
+  /ERR_CONNECTION_(REFUSED|RESET|CLOSED|ABORTED)|ERR_SOCKET_NOT_CONNECTED|ERR_EMPTY_RESPONSE|WebSocket connection to/;
+
 /**
  * Opens a page. `problems` collects errors that a person does not see: errors on the console, exceptions, refusals by the
  * Content-Security-Policy. A test that breaks connections on purpose says so, and so does one whose page needs a graphics
@@ -64,7 +68,7 @@ export async function open(
   const problems = [];
   const expected = (text) =>
     /GPU stall due to ReadPixels/.test(text) || // by our own screenshots
-    (breaksConnections && /ERR_CONNECTION_(REFUSED|RESET)|WebSocket connection to|ERR_EMPTY_RESPONSE/.test(text));
+    (breaksConnections && kBrokenConnection.test(text));
   page.on(
     "console",
     (message) =>
