@@ -45,7 +45,7 @@ after(() => Promise.all([...launched.values()].map(async (browser) => (await bro
 export const kDesktop = { width: 1280, height: 800 };
 export const kPhone = { width: 390, height: 844 };
 
-/** What Chromium writes when a server ends, by the moment in which a connection breaks. */
+/** The words that Chromium writes when a server ends. They depend on the moment in which a connection breaks. */
 const kBrokenConnection =
   /ERR_CONNECTION_(REFUSED|RESET|CLOSED|ABORTED)|ERR_SOCKET_NOT_CONNECTED|ERR_EMPTY_RESPONSE|WebSocket connection to/;
 
