@@ -4,6 +4,7 @@
 #include <mutex>
 #include <utility>
 
+#include "robot/app/recorded_moment.h"
 #include "robot/app/services/foresight_service.h"
 #include "robot/core/clock.h"
 #include "robot/logging/sessions/session.h"
@@ -88,12 +89,8 @@ Result<foresight::Forecast> LabForesight::ask(const logging::StreamOf& stream_of
 Result<foresight::Forecast> what_if(const WhatIfOptions& options) {
   const Result<logging::Session> session = logging::open_session(options.session);
   if (!session) return session.failure();
-  const auto at = static_cast<std::int64_t>(options.at * 1e9);
-  const std::uint64_t at_ns = (at < 0 ? session->end_ns : session->start_ns) + static_cast<std::uint64_t>(at);
-  if (at_ns < session->start_ns || at_ns > session->end_ns)
-    return Error{"--at: the session is " +
-                 std::to_string(static_cast<double>(session->end_ns - session->start_ns) / 1e9) + " s long, got " +
-                 std::to_string(options.at)};
+  const Result<std::uint64_t> at_ns = time_in(*session, options.at);
+  if (!at_ns) return at_ns.failure();
   const std::string robot = options.robot.empty() ? session->info.robot : options.robot;
 
   LabForesight foresight(options.foresight);
@@ -102,7 +99,7 @@ Result<foresight::Forecast> what_if(const WhatIfOptions& options) {
     if (file == session->streams.end() || file->messages == 0) return nullptr;
     return logging::provider_of(*session, *file);
   };
-  return foresight.ask(stream_of, robot, options.question, at_ns);
+  return foresight.ask(stream_of, robot, options.question, *at_ns);
 }
 
 }  // namespace robot::app

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <functional>
-#include <memory>
-#include <set>
 
 #include "robot/agent/agent.h"
+#include "robot/app/recorded_beliefs.h"
 #include "robot/core/csv.h"
 #include "robot/core/text.h"
 #include "robot/foresight/game_setting.h"
@@ -19,57 +17,6 @@ namespace {
 namespace pb = foresight;
 
 constexpr double kHalfFrame = 1. / 60;  // [s] a printed time is rounded
-
-/// The messages of one object, read in the order of their times.
-template <class Message>
-class Cursor {
- public:
-  Cursor(const logging::Session& session, const std::string& topic)
-      : all_(logging::read_in_order<Message>(session, topic)) {}
-
-  /// Puts the newest message at `now_ns` into `newest`. Called with times that do not decrease.
-  void move_to(std::uint64_t now_ns, std::optional<bridge::Remembered<Message>>& newest) {
-    const std::size_t before = next_;
-    while (next_ < all_.size() && all_[next_].capture_ns <= now_ns) ++next_;
-    if (next_ > before) newest = {.value = all_[next_ - 1].value, .capture_ns = all_[next_ - 1].capture_ns};
-  }
-  bool empty() const { return all_.empty(); }
-
- private:
-  std::vector<logging::Recorded<Message>> all_;
-  std::size_t next_ = 0;
-};
-
-/// The beliefs of a robot as they were recorded.
-class Beliefs {
- public:
-  Beliefs(const logging::Session& session, const std::string& robot) {
-    bridge::Recollection::visit(
-        now_, [&]<class Message>(const char* name, std::optional<bridge::Remembered<Message>>& newest) {
-          auto cursor = std::make_shared<Cursor<Message>>(session, "/" + robot + "/" + name);
-          if (cursor->empty()) missing_.insert(name);
-          movers_.push_back([cursor, &newest](std::uint64_t now_ns) { cursor->move_to(now_ns, newest); });
-        });
-  }
-  Beliefs(const Beliefs&) = delete;
-  Beliefs& operator=(const Beliefs&) = delete;
-
-  /// Returns the name of a necessary object that was not recorded, or nullptr.
-  const char* missing() const {
-    return missing_.contains("pose") ? "pose" : missing_.contains("game") ? "game" : nullptr;
-  }
-
-  const bridge::Recollection& at(std::uint64_t now_ns) {
-    now_.now_ns = now_ns;
-    for (const auto& move : movers_) move(now_ns);
-    return now_;
-  }
-
- private:
-  bridge::Recollection now_;
-  std::vector<std::function<void(std::uint64_t)>> movers_;  // one for each object of `now_`
-  std::set<std::string> missing_;
-};
 
 const std::string& leaf_of(const pb::DecisionTrace& trace) {
   static const std::string none;
@@ -159,7 +106,7 @@ Result<Redecisions> redecide(const logging::Session& session, const RedecideOpti
   }
   const auto recorded = logging::read_in_order<pb::DecisionTrace>(session, "/" + decisions.robot + "/decision");
   if (recorded.empty()) return Error{session.id() + " has no decisions of robot " + decisions.robot};
-  Beliefs beliefs(session, decisions.robot);
+  RecordedBeliefs beliefs(session, decisions.robot);
   if (const char* missing = beliefs.missing())
     return Error{session.id() + " has no object " + missing + " of robot " + decisions.robot +
                  ", and a decision needs it"};
@@ -178,7 +125,8 @@ Result<Redecisions> redecide(const logging::Session& session, const RedecideOpti
     if (old.value.visited_size() == 0) continue;  // the tree was not asked
     const double seconds =
         old.capture_ns > session.start_ns ? static_cast<double>(old.capture_ns - session.start_ns) / 1e9 : 0;
-    decisions.all.push_back({.seconds = seconds,
+    decisions.all.push_back({.at_ns = old.capture_ns,
+                             .seconds = seconds,
                              .recorded = old.value,
                              .now = made.trace ? *std::move(made.trace) : pb::DecisionTrace(),
                              .problem = std::move(made.problem)});

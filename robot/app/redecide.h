@@ -21,7 +21,8 @@ struct RedecideOptions {
 
 /// One recorded decision and the new one from the same beliefs.
 struct Redecision {
-  double seconds = 0;  // [s] since the session's first message
+  std::uint64_t at_ns = 0;  // [ns since the epoch] capture time of the recorded one
+  double seconds = 0;       // [s] since the session's first message
   foresight::DecisionTrace recorded, now;
   std::string problem;  // why the new tree could not decide; otherwise empty
 

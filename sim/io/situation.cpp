@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "robot/core/json_library.h"
+#include "sim/foresight/guess.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
 #include "sim/match/situation.h"
@@ -82,6 +84,27 @@ struct Velocity {
   }
 };
 
+/// The uncertainty of a place; below 0: not given.
+struct BallDoubt {
+  float deviation = -1, velocity_deviation = -1;
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("deviation", self.deviation, "", 0.f, 10.f);
+    see("velocity_deviation", self.velocity_deviation, "", 0.f, 10.f);
+  }
+};
+
+struct RobotDoubt {
+  float deviation = -1, heading_deviation = -1;
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("deviation", self.deviation, "", 0.f, 10.f);
+    see("heading_deviation", self.heading_deviation, "", 0.f, 3.2f);
+  }
+};
+
 struct Standing {
   int player = 1;
   float heading = 0, penalised = 0;
@@ -105,6 +128,19 @@ Enum name_at(Reader& reader, const Json& object, const std::string& path, const 
   reader.refuse(Reader::below(path, key) + " must be one of " + listed({names.begin(), names.end()}) + ", got " +
                 shown(*found));
   return otherwise;
+}
+
+/// Turns ball and robots by half a turn round the middle of the field.
+void turn_round(World& world) {
+  const Vec2 velocity = world.ball.velocity;
+  place(world.ball, -world.ball.position);
+  world.ball.velocity = -velocity;
+  for_each_robot(world.players, [&](int robot) {
+    Body& body = world.bodies[robot];
+    body.position = -body.position;
+    body.heading = normalized(body.heading + kPi);
+    body.facing = direction(body.heading);
+  });
 }
 
 /// The builder of a state from a description.
@@ -193,7 +229,8 @@ class Scene {
     Velocity velocity;
     read_some(json, "ball", place, {"x", "y"}, Fields::all);
     read_some(json, "ball", velocity, {"velocity_x", "velocity_y"});
-    reader_.refuse_unknown(json, "ball", {"x", "y", "velocity_x", "velocity_y"});
+    read_some(json, "ball", ball_doubt_, {"deviation", "velocity_deviation"});
+    reader_.refuse_unknown(json, "ball", {"x", "y", "velocity_x", "velocity_y", "deviation", "velocity_deviation"});
 
     sim::place(state_.world.ball, {place.x, place.y});
     state_.world.ball.velocity = {velocity.velocity_x, velocity.velocity_y};
@@ -210,12 +247,15 @@ class Scene {
     if (!reader_.is_object(json, path)) return;
     Place place;
     Standing standing;
+    RobotDoubt doubt;
     read_some(json, path, place, {"x", "y"}, Fields::all);
     read_some(json, path, standing, {"player", "heading", "penalised"});
+    read_some(json, path, doubt, {"deviation", "heading_deviation"});
     for (const char* key : {"side", "player"})
       if (!json.contains(key)) reader_.refuse(path + "." + key + " is missing");
     const Side side = name_at(reader_, json, path, "side", kSides, Side::home);
-    reader_.refuse_unknown(json, path, {"side", "player", "x", "y", "heading", "penalised"});
+    reader_.refuse_unknown(json, path,
+                           {"side", "player", "x", "y", "heading", "penalised", "deviation", "heading_deviation"});
     if (standing.player > state_.world.players)
       reader_.refuse(path + ".player must be at most " + std::to_string(state_.world.players) + " in this game, got " +
                      std::to_string(standing.player));
@@ -224,6 +264,7 @@ class Scene {
     const int robot = robot_of(side, standing.player);
     if (named_[robot]) return reader_.refuse(path + " names the same robot as one before it");
     named_[robot] = true;
+    robot_doubts_[robot] = doubt;
     Body& body = state_.world.bodies[robot];
     body = {};
     body.position = {place.x, place.y};
@@ -241,37 +282,25 @@ class Scene {
   /// Gives each side the other's moment: half a turn round the middle of the field, with exchanged robots and score.
   void turn() {
     World& world = state_.world;
-    const Vec2 velocity = world.ball.velocity;
-    sim::place(world.ball, -world.ball.position);
-    world.ball.velocity = -velocity;
+    turn_round(world);
     std::swap(state_.book.score[0], state_.book.score[1]);
     for (int robot = 0; robot < kMaxPlayers; ++robot) {
       std::swap(world.bodies[robot], world.bodies[robot + kMaxPlayers]);
       std::swap(state_.book.penalised_until[robot], state_.book.penalised_until[robot + kMaxPlayers]);
+      std::swap(robot_doubts_[robot], robot_doubts_[robot + kMaxPlayers]);
     }
-    for_each_robot(world.players, [&](int robot) {
-      Body& body = world.bodies[robot];
-      body.position = -body.position;
-      body.heading = normalized(body.heading + kPi);
-      body.facing = direction(body.heading);
-    });
   }
 
   /// Moves each to the first free place drawn near its own.
   void shake() {
     World& world = state_.world;
-    const auto offset = [&](int robot, std::uint32_t number) {
-      const auto words = draw(*shaken_, static_cast<std::uint32_t>(robot), Draw::situation, kShakes + number);
-      const auto one = [&](int i) { return 2 * uniform(words[static_cast<std::size_t>(i)]) - 1; };
-      return Pose2{{kShaken * one(0), kShaken * one(1)}, kTurned * one(2)};
-    };
-    sim::place(world.ball, world.ball.position + offset(kNobody, 0).position);
+    shake_ball();
     for_each_robot(world.players, [&](int robot) {
       Body& body = world.bodies[robot];
       if (body.doing == Body::Doing::removed) return;
       const Vec2 place = body.position;
       for (std::uint32_t number = 0; number < kTries; ++number) {
-        const Pose2 by = offset(robot, number);
+        const Pose2 by = offset(robot, number, robot_doubts_[robot]);
         body.position = place + by.position;
         if (!is_free(robot)) continue;
         body.heading = normalized(body.heading + by.heading);
@@ -280,6 +309,45 @@ class Scene {
       }
       body.position = place;
     });
+  }
+
+  void shake_ball() {
+    Ball& ball = state_.world.ball;
+    const Vec2 place = ball.position;
+    if (ball_doubt_.deviation < 0) return sim::place(ball, place + offset(kNobody, 0, {}).position);
+    for (std::uint32_t number = 0; number < kTries; ++number) {
+      const Normals drawn = normals_of(kNobody, number);
+      const Vec2 to = place + ball_doubt_.deviation * Vec2{drawn.values[0], drawn.values[1]};
+      if (foresight::beyond_lines(params_.rules.field, to)) continue;
+      const Vec2 velocity = ball.velocity;
+      sim::place(ball, to);
+      ball.velocity = velocity + std::max(0.f, ball_doubt_.velocity_deviation) * Vec2{drawn.values[2], drawn.values[3]};
+      return;
+    }
+  }
+
+  std::array<std::uint32_t, 4> words_of(int robot, std::uint32_t number) const {
+    return draw(*shaken_, static_cast<std::uint32_t>(robot), Draw::situation, kShakes + number);
+  }
+
+  struct Normals {
+    float values[4];
+  };
+  Normals normals_of(int robot, std::uint32_t number) const {
+    const auto words = words_of(robot, number);
+    const auto first = normals(words[0], words[1]), second = normals(words[2], words[3]);
+    return {{first[0], first[1], second[0], second[1]}};
+  }
+
+  /// Draws a random displacement.
+  Pose2 offset(int robot, std::uint32_t number, const RobotDoubt& doubt) const {
+    const auto words = words_of(robot, number);
+    const auto one = [&](std::size_t i) { return 2 * uniform(words[i]) - 1; };
+    Pose2 by{{kShaken * one(0), kShaken * one(1)}, kTurned * one(2)};
+    const Normals drawn = normals_of(robot, number);
+    if (doubt.deviation >= 0) by.position = doubt.deviation * Vec2{drawn.values[0], drawn.values[1]};
+    if (doubt.heading_deviation >= 0) by.heading = doubt.heading_deviation * drawn.values[2];
+    return by;
   }
 
   bool is_free(int robot) const {
@@ -300,37 +368,12 @@ class Scene {
   const bool turned_;
   State state_;
   bool named_[kMaxRobots] = {};
+  BallDoubt ball_doubt_;
+  RobotDoubt robot_doubts_[kMaxRobots];
 };
 
-}  // namespace
-
-SituationTeams read_teams(Reader& reader, const Json& situation) {
-  Teams teams;
-  const auto found = situation.find("teams");
-  if (found == situation.end()) return {};
-  reader.read(*found, "teams", Fields::all, teams);
-  if (reader.good() && teams.home == teams.away)
-    reader.refuse("teams must have different numbers, got " + std::to_string(teams.home) + " twice");
-  return teams;
-}
-
-Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
-                              const RandomKey* shaken, bool turned) {
-  const Result<Json> json = parse_object(text, called);
-  if (!json) return json.failure();
-  Reader reader(called);
-  const State state = Scene(reader, params, shaken, turned).build(*json);
-  if (!reader.good()) return reader.error();
-  return state;
-}
-
-Result<State> load_situation(const std::string& name, const Params& params) {
-  const Result<Source> source = find_source("situations", "situation", name);
-  if (!source) return source.failure();
-  return parse_situation(source->text, source->called, params);
-}
-
-std::string save_situation(const State& state, const std::string& about) {
+/// Returns the description of a moment as JSON.
+Json description_of(const State& state, const std::string& about) {
   const World& world = state.world;
   const referee::Book& book = state.book;
   const auto name = [](const auto& names, auto enumerator) { return names[static_cast<std::size_t>(enumerator)]; };
@@ -361,6 +404,61 @@ std::string save_situation(const State& state, const std::string& about) {
     if (until > world.tick) said["penalised"] = short_number(age(until, world.tick));
     json["robots"].push_back(std::move(said));
   });
+  return json;
+}
+
+int robot_in(const Json& entry) {
+  return robot_of(entry["side"] == kSides[0] ? Side::home : Side::away, entry["player"].get<int>());
+}
+
+}  // namespace
+
+SituationTeams read_teams(Reader& reader, const Json& situation) {
+  Teams teams;
+  const auto found = situation.find("teams");
+  if (found == situation.end()) return {};
+  reader.read(*found, "teams", Fields::all, teams);
+  if (reader.good() && teams.home == teams.away)
+    reader.refuse("teams must have different numbers, got " + std::to_string(teams.home) + " twice");
+  return teams;
+}
+
+Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
+                              const RandomKey* shaken, bool turned) {
+  const Result<Json> json = parse_object(text, called);
+  if (!json) return json.failure();
+  Reader reader(called);
+  const State state = Scene(reader, params, shaken, turned).build(*json);
+  if (!reader.good()) return reader.error();
+  return state;
+}
+
+Result<State> load_situation(const std::string& name, const Params& params) {
+  const Result<Source> source = find_source("situations", "situation", name);
+  if (!source) return source.failure();
+  return parse_situation(source->text, source->called, params);
+}
+
+std::string save_situation(const State& state, const std::string& about) {
+  return printed(description_of(state, about));
+}
+
+std::string save_situation(const foresight::Situation& believed, SituationTeams teams, const std::string& about) {
+  State state = believed.state;
+  const float home_attacks = state.book.half % 2 == 1 ? 1.f : -1.f;  // in the field's frame of that half
+  if (state.world.home_attacks != home_attacks) turn_round(state.world);
+  Json json = description_of(state, about);
+  if (teams.home > 0 && teams.away > 0 && teams.home != teams.away)
+    json["teams"] = {{"home", teams.home}, {"away", teams.away}};
+  // with the pose of the robot that saw it
+  const foresight::Doubt& doubt = believed.doubt;
+  const float seen_from = doubt.ball_by_own_eyes ? doubt.position[doubt.whose] : 0;
+  json["ball"]["deviation"] = short_number(std::sqrt(doubt.ball * doubt.ball + seen_from * seen_from));
+  json["ball"]["velocity_deviation"] = short_number(doubt.ball_velocity);
+  for (Json& robot : json["robots"]) {
+    robot["deviation"] = short_number(doubt.position[robot_in(robot)]);
+    robot["heading_deviation"] = short_number(doubt.heading[robot_in(robot)]);
+  }
   return printed(json);
 }
 

@@ -13,6 +13,8 @@
 // Frame: field, which never flips: in the second half the home side attacks towards -x. Metres, seconds, radians.
 // Required are the ball's x and y and each robot's side, player, x and y. `clock` is the time since the half began;
 // `remaining`, the time to its end, may stand instead.
+// "deviation" of ball or robot [m along each axis], "velocity_deviation" of the ball [m/s] and "heading_deviation" of a
+// robot [rad] say how surely a place is known. They are standard deviations, and matter only where a start is shaken.
 // `penalised` is the remaining time of a robot off the field. A robot that is not listed does not play. "check" makes the
 // situation a test (sim/check/scenario.h), and is ignored here. "teams": {"home": 14, "away": 5} gives the
 // teams their numbers; only events of "check" use them.
@@ -22,6 +24,7 @@
 #include <string_view>
 
 #include "robot/core/result.h"
+#include "sim/foresight/situation.h"
 #include "sim/io/json.h"
 #include "sim/io/matchup.h"
 #include "sim/match/state.h"
@@ -41,8 +44,9 @@ struct SituationTeams {
 SituationTeams read_teams(Reader& reader, const Json& situation);
 
 /// Makes the state of that moment, to be played on. All robots have just seen and reported the ball, and stand still.
-/// `shaken` moves robots and ball by random amounts of that game, up to 0.3 m along each axis and 20 degrees, without
-/// overlaps. `turned` turns the field by half a turn and exchanges the sides: each side then has the other's moment, and
+/// `shaken` moves robots and ball by random amounts of that game, without overlaps. The amounts are normal ones of their
+/// deviations; a ball with one stays between the lines. Without a deviation they are up to 0.3 m along each axis and 20
+/// degrees. `turned` turns the field by half a turn and exchanges the sides: each side then has the other's moment, and
 /// attacks the same goal as before.
 robot::Result<State> parse_situation(std::string_view text, const std::string& called, const Params& params,
                                      const RandomKey* shaken = nullptr, bool turned = false);
@@ -56,5 +60,9 @@ robot::Result<State> load_situation(const std::string& name, const Params& param
 /// robots believe, remember and do (walk, kick, squat, fall). Likewise not the age of a set play, the last touch, the
 /// counts of the game and the walking referee. So a game that is played on from it is another game.
 std::string save_situation(const State& state, const std::string& about = {});
+
+/// Returns the same of a moment that a robot believes in, with the deviations of its beliefs. The robot's side is home,
+/// and `teams` are named if both are known. A ball that may lie elsewhere is placed where it is believed.
+std::string save_situation(const foresight::Situation& believed, SituationTeams teams, const std::string& about);
 
 }  // namespace sim::io

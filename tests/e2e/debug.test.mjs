@@ -187,3 +187,59 @@ test("the recorded beliefs through the same tree give the recorded decisions, an
     assert.match(stderr, sentence);
   }
 });
+
+test("a recorded moment begins simulated games, varied by what the robot was unsure of", (t) => {
+  const folder = temporaryFolder(t);
+  const [game, moment, exact] = ["game.mcap", "moment.json", "exact.json"].map((name) => join(folder, name));
+  const rules = "spl2025:5";
+  const made = sim(["match", "--seed", "7", "--rules", rules, "--mcap", game, "--save-at", "40", exact]);
+  assert.equal(made.status, 0, made.stderr);
+  const lab = (...args) => spawnSync(join(bin, "foresight-lab"), ["situation", game, ...args], { encoding: "utf8" });
+  const saved = lab("--at", "40", "--robot", "14/2", "--out", moment);
+  assert.equal(saved.status, 0, saved.stderr);
+  const [believed, truth] = [moment, exact].map((file) => JSON.parse(readFileSync(file, "utf8")));
+  assert.match(believed.about, /^what robot 14\/2 believed 40\.000 s into ./);
+  const robot = ({ robots }) => robots.find(({ side, player }) => side === "home" && player === 2);
+  const apart = Math.hypot(robot(believed).x - robot(truth).x, robot(believed).y - robot(truth).y);
+  assert.ok(apart < 4 * robot(believed).deviation + 0.2, `${apart} m, deviation ${robot(believed).deviation}`);
+
+  const play = ["match", "--from", moment, "--rules", rules, "--fuzz", "--games", "4", "--json"];
+  const { status, stdout, stderr } = sim(play);
+  assert.equal(status, 0, stderr);
+  assert.equal(sim(play).stdout, stdout, "the same seeds draw the same starts");
+
+  for (const [args, sentence] of [
+    [["--at", "1e9"], /--at: the session is [\d.]+ s long, got 1e\+09|1000000000/],
+    [["--at", "40", "--robot", "99/1"], /has no object pose of robot 99\/1, and a situation needs it/],
+    [["--at", "40", "--robot", "14/2", "--rules", "spl1999"], /no rules 'spl1999'/],
+    [["--at", "0", "--robot", "14/2"], /robot 14\/2: .*/],
+  ]) {
+    const { status, stderr } = lab(...args);
+    assert.equal(status, 2, args.join(" "));
+    assert.match(stderr, sentence);
+  }
+});
+
+test("the decisions of another tree stand in a copy of the recording, beside the recorded ones", async (t) => {
+  const folder = temporaryFolder(t);
+  const [game, copy] = ["game.mcap", "redecided"].map((name) => join(folder, name));
+  const made = sim(["match", "--seed", "7", "--rules", "spl2025:5,halves=1,half_duration=60", "--mcap", game]);
+  assert.equal(made.status, 0, made.stderr);
+  const lab = (...args) => spawnSync(join(bin, "foresight-lab"), args, { encoding: "utf8" });
+  const redecide = ["redecide", game, "--robot", "14/2", "--strategy", "high_line", "--session", copy];
+  const told = lab(...redecide);
+  assert.equal(told.status, 0, told.stderr);
+  const count = Number(/: (\d+) decisions in play/.exec(told.stdout)[1]);
+  const topics = (session) => {
+    const { status, stdout, stderr } = lab("info", session, "--json");
+    assert.equal(status, 0, stderr);
+    return new Map(JSON.parse(stdout).streams.map(({ topic, messages }) => [topic, messages]));
+  };
+  const copied = topics(copy);
+  assert.equal(copied.get("/14/2/redecision"), count);
+  copied.delete("/14/2/redecision");
+  assert.deepEqual(copied, topics(game), "nothing else was added or lost");
+  const again = lab(...redecide);
+  assert.equal(again.status, 2, "a session is never replaced");
+  assert.equal(topics(copy).get("/14/2/redecision"), count);
+});

@@ -19,6 +19,7 @@ std::unique_ptr<Command> info_command(CLI::App& app);
 std::unique_ptr<Command> play_command(CLI::App& app);
 std::unique_ptr<Command> relay_command(CLI::App& app);
 std::unique_ptr<Command> redecide_command(CLI::App& app);
+std::unique_ptr<Command> situation_command(CLI::App& app);
 std::unique_ptr<Command> what_if_command(CLI::App& app);
 std::unique_ptr<Command> synthesize_command(CLI::App& app);
 

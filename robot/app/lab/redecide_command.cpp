@@ -3,6 +3,7 @@
 
 #include "robot/app/lab/commands.h"
 #include "robot/app/redecide.h"
+#include "robot/app/redecided_session.h"
 #include "robot/core/files.h"
 
 namespace robot::app {
@@ -22,6 +23,8 @@ class RedecideCommand final : public Command {
                          "rules of a year; default: those of the recorded simulation, else spl2025");
     options().add_option("--models", redecide_.models, "abilities of the own body")->capture_default_str();
     options().add_option("--csv", csv_, "file: both decisions of each moment");
+    options().add_option("--session", copy_,
+                         "folder: a copy of the session with the new decisions beside the recorded ones");
     options().add_option("--expect", expect_,
                          "file: lines like 'at 12.5 s: kick or dribble' and '12 .. 14 s: not search_ball'");
     options().footer("Exit status: 0, 1 when an expectation is broken, 2 bad usage or input.");
@@ -42,6 +45,8 @@ class RedecideCommand final : public Command {
     if (!decisions) return fail(decisions.error());
     if (!csv_.empty())
       if (const auto written = replace_file(csv_, to_csv(*decisions)); !written) return fail(written.error());
+    if (!copy_.empty())
+      if (const auto written = write_redecided(*session, *decisions, copy_); !written) return fail(written.error());
     std::fputs(to_text(*decisions).c_str(), stdout);
     const std::vector<std::string> sentences = broken(expectations, *decisions);
     if (!expectations.empty())
@@ -52,7 +57,7 @@ class RedecideCommand final : public Command {
 
  private:
   RedecideOptions redecide_;
-  std::string session_, csv_, expect_;
+  std::string session_, csv_, copy_, expect_;
 };
 
 }  // namespace

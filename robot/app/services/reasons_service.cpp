@@ -12,6 +12,7 @@
 #include "robot/core/json.h"
 #include "robot/core/json_library.h"
 #include "robot/core/text.h"
+#include "robot/foresight/believed_situation.h"
 #include "robot/foresight/game_setting.h"
 #include "sim/report/reasons.h"
 
@@ -23,6 +24,7 @@ using nlohmann::json;
 
 constexpr const char* kWhy = "/decision/why";
 constexpr const char* kWhyNot = "/decision/why_not";
+constexpr const char* kSituation = "/decision/situation";
 constexpr std::uint64_t kSameMomentNs = 200 * kMillisecond;
 constexpr std::size_t kMostText = 1000;  // [bytes] of a name or a path in a request
 
@@ -99,7 +101,7 @@ Result<Moment> newest_moment(const memory::Channels& channels, std::string robot
   return moment;
 }
 
-/// Answers both questions. Used by the thread that serves questions.
+/// Answers the questions. Used by the thread that serves questions.
 class Reasons {
  public:
   Reasons(const memory::Channels& channels, const ReasonsOptions& options)
@@ -136,6 +138,18 @@ class Reasons {
                 {"agrees", recalled->agrees}};
   }
 
+  Result<json> situation(const json& request) {
+    const auto moment = moment_of(request);
+    if (!moment) return moment.failure();
+    const auto game = game_of(*moment);
+    if (!game) return game.failure();
+    const std::string robot = printable(moment->robot, 40);
+    const auto text =
+        foreseeing::believed_situation(moment->objects, game->params, "what robot " + robot + " believed");
+    if (!text) return text.failure("robot " + robot);
+    return json{{"ok", true}, {"situation", *text}};
+  }
+
  private:
   Result<Moment> moment_of(const json& request) const {
     auto robot = text_in(request, "robot");
@@ -144,9 +158,13 @@ class Reasons {
                                        : newest_moment(channels_, *std::move(robot));
   }
 
-  Result<RecalledDecision> recall(const Moment& moment) {
+  Result<sim::io::PreparedGame> game_of(const Moment& moment) {
     const auto simulation = bridge::simulation_of(channels_);
-    const auto game = prepared(foreseeing::setting_of(simulation ? &simulation->value : nullptr, moment.robot, rules_));
+    return prepared(foreseeing::setting_of(simulation ? &simulation->value : nullptr, moment.robot, rules_));
+  }
+
+  Result<RecalledDecision> recall(const Moment& moment) {
+    const auto game = game_of(moment);
     if (!game) return game.failure();
     auto recalled = explain(moment.objects, moment.truth, *game, trees_);
     if (!recalled) return recalled.failure("robot " + printable(moment.robot, 40));
@@ -182,6 +200,7 @@ void add_reasons_service(net::Services& services, const memory::Channels& channe
   };
   add(kWhy, &Reasons::why);
   add(kWhyNot, &Reasons::why_not);
+  add(kSituation, &Reasons::situation);
 }
 
 }  // namespace robot::app

@@ -1,4 +1,4 @@
-// The services that explain a robot's decision: why this skill, and why not another one.
+// The services that explain a robot's decision: why this skill, and why not another one. And its moment as a file.
 #pragma once
 
 #include <string>
@@ -19,9 +19,11 @@ struct ReasonsOptions {
 ///
 ///   /decision/why      {"robot": "14/2", …}  -> {"ok", "reasons": {…}, "has_truth", "agrees"}
 ///   /decision/why_not  {"robot": "14/2", "what": "dribble", …}  -> {"ok", "alternative": {…}, "agrees"}
+///   /decision/situation  {"robot": "14/2", …}  -> {"ok", "situation": "…"}
 ///
-/// `what` is a skill, the path of a part of the tree, or a name in it. Both answers are those of sim/report/reasons.h. "agrees" is false if the
-/// robot reached another leaf: the memory of a behaviour is not recorded.
+/// `what` is a skill, the path of a part of the tree, or a name in it. The answers to "why" and "why not" are those of
+/// sim/report/reasons.h. "agrees" is false if the robot reached another leaf: the memory of a behaviour is not recorded.
+/// "situation" is the text of robot/foresight/believed_situation.h: what the robot believed, as a start of simulated games.
 ///
 /// Without more they explain the newest decision in memory. A client that shows another moment sends its objects:
 ///

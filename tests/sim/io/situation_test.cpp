@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "robot/core/json_library.h"
 #include "sim/io/source.h"
 #include "sim/match/fields.h"
 #include "sim/match/step.h"
@@ -125,7 +126,10 @@ TEST(Situation, NamesTheError) {
   EXPECT_EQ(error_of_situation(R"({"ball": {"x": 1}, "robots": []})"),
             "situation 'duel': ball.y is missing, expected -20 .. 20");
   EXPECT_EQ(error_of_situation(R"({"ball": {"x": 0, "y": 0, "z": 0}, "robots": []})"),
-            "situation 'duel': ball.z is unknown; there are: x, y, velocity_x, velocity_y");
+            "situation 'duel': ball.z is unknown; there are: x, y, velocity_x, velocity_y, deviation, "
+            "velocity_deviation");
+  EXPECT_EQ(error_of_situation(R"({"ball": {"x": 0, "y": 0, "deviation": -1}, "robots": []})"),
+            "situation 'duel': ball.deviation must be 0 .. 10, got -1");
   EXPECT_EQ(error_of_situation(R"({"ball": {"x": 0, "y": 0}, "robots": {}})"),
             "situation 'duel': robots must be a list, got {}");
   EXPECT_EQ(error_of_situation(R"({"ball": {"x": 0, "y": 0}, "robots": [], "seed": -1})"),
@@ -204,6 +208,78 @@ TEST(Situation, ShakingMovesAllRobotsALittleByTheGamesRandomNumbers) {
         });
       });
     }
+  }
+}
+
+constexpr std::string_view kDoubted = R"({
+  "ball": {"x": 0, "y": 1, "velocity_x": 0.5, "deviation": 0.4, "velocity_deviation": 0.2},
+  "robots": [{"side": "home", "player": 2, "x": -2, "y": -1, "heading": 0.5, "deviation": 0.2, "heading_deviation": 0.1},
+             {"side": "away", "player": 3, "x": 2, "y": -1, "deviation": 0}]})";
+
+TEST(Situation, ShakingFollowsTheDeviationsOfTheDescription) {
+  constexpr int kDraws = 4000;
+  struct Moments {
+    double sum = 0, squares = 0;
+    void add(double value) { sum += value, squares += value * value; }
+    double mean() const { return sum / kDraws; }
+    double deviation() const { return std::sqrt(squares / kDraws - mean() * mean()); }
+  };
+  Moments ball_x, ball_y, speed, robot_x, heading, other_x;
+  for (std::uint64_t seed = 0; seed < kDraws; ++seed) {
+    const RandomKey luck{seed};
+    const World world = parse_situation(kDoubted, "situation", setup().params, &luck).value().world;
+    ball_x.add(world.ball.position.x), ball_y.add(world.ball.position.y), speed.add(world.ball.velocity.x);
+    robot_x.add(world.bodies[robot_of(Side::home, 2)].position.x);
+    heading.add(world.bodies[robot_of(Side::home, 2)].heading);
+    other_x.add(world.bodies[robot_of(Side::away, 3)].position.x);
+  }
+  // five standard errors of 4000 draws
+  EXPECT_NEAR(ball_x.mean(), 0, 0.032);
+  EXPECT_NEAR(ball_x.deviation(), 0.4, 0.023);
+  EXPECT_NEAR(ball_y.deviation(), 0.4, 0.03) << "a ball beyond the line is drawn again, which narrows it a little";
+  EXPECT_NEAR(speed.mean(), 0.5, 0.016);
+  EXPECT_NEAR(speed.deviation(), 0.2, 0.012);
+  EXPECT_NEAR(robot_x.mean(), -2, 0.016);
+  EXPECT_NEAR(robot_x.deviation(), 0.2, 0.012);
+  EXPECT_NEAR(heading.mean(), 0.5, 0.008);
+  EXPECT_NEAR(heading.deviation(), 0.1, 0.006);
+  EXPECT_NEAR(other_x.deviation(), 0, 1e-6) << "a place without uncertainty stays";
+}
+
+TEST(Situation, ADeviationMattersOnlyWhereAStartIsShaken) {
+  const std::string_view certain = R"({"ball": {"x": 0, "y": 1, "velocity_x": 0.5},
+    "robots": [{"side": "home", "player": 2, "x": -2, "y": -1, "heading": 0.5},
+               {"side": "away", "player": 3, "x": 2, "y": -1}]})";
+  EXPECT_EQ(difference(parsed(kDoubted), parsed(certain)), "");
+}
+
+TEST(Situation, ABelievedMomentIsSavedInTheFieldsFrameWithItsDeviations) {
+  for (const int half : {1, 2}) {
+    const Params& params = setup().params;
+    referee::Events events;
+    State game = begin(params, {.seed = 11}, events);
+    game.book.half = static_cast<std::uint8_t>(half);
+    game.world.home_attacks = half == 1 ? 1.f : -1.f;
+    for (int i = 0; i < 1200; ++i) step(params, game, events);
+    const int robot = robot_of(Side::home, 2);
+    const auto believed = foresight::believe(params, foresight::knowledge_of(params, game, robot));
+    ASSERT_EQ(believed.refusal, "");
+    const std::string text = save_situation(believed.situation, {.home = 14, .away = 5}, "a belief");
+    const State read = parsed(text);
+    const float sign = half == 1 ? 1 : -1;  // from team_field to field
+    const World &world = read.world, &guessed = believed.situation.state.world;
+    EXPECT_EQ(read.book.half, half);
+    EXPECT_EQ(world.home_attacks, sign);
+    EXPECT_NEAR(length(world.ball.position - sign * guessed.ball.position), 0, 1e-3);
+    for_each_robot(world.players, [&](int other) {
+      if (guessed.bodies[other].doing == Body::Doing::removed) return;
+      EXPECT_NEAR(length(world.bodies[other].position - sign * guessed.bodies[other].position), 0, 1e-3) << other;
+    });
+    const Json json = Json::parse(text);
+    EXPECT_EQ(json["teams"]["home"], 14);
+    EXPECT_GE(json["ball"]["deviation"].get<float>(), believed.situation.doubt.ball - 1e-3f);
+    EXPECT_NEAR(json["robots"][1]["deviation"].get<float>(), believed.situation.doubt.position[robot], 1e-3);
+    EXPECT_FALSE(Json::parse(save_situation(believed.situation, {.home = 14, .away = 0}, "")).contains("teams"));
   }
 }
 

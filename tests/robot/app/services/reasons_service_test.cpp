@@ -5,6 +5,7 @@
 #include <string>
 
 #include "robot/core/json_library.h"
+#include "sim/io/situation.h"
 #include "tests/robot/app/services/call.h"
 #include "tests/robot/body/sim/support.h"
 
@@ -56,6 +57,16 @@ TEST_F(ReasonsService, WhyNotLeadsThere) {
   const json answer = call("/decision/why_not", {{"robot", "14/2"}, {"what", "search_ball"}});
   ASSERT_EQ(answer["ok"], true) << answer.dump();
   EXPECT_EQ(answer["alternative"]["kind"], "changed");
+}
+
+TEST_F(ReasonsService, AMomentIsASituationOfTheSimulator) {
+  ASSERT_TRUE(body->step(1500));
+  const json answer = call("/decision/situation", {{"robot", "14/2"}});
+  ASSERT_EQ(answer["ok"], true) << answer.dump();
+  const auto state = sim::io::parse_situation(answer["situation"].get<std::string>(), "it", tests::setup().params());
+  ASSERT_TRUE(state) << state.error();
+  EXPECT_EQ(call("/decision/situation", {{"robot", "99/1"}})["error"],
+            "/decision/situation: robot '99/1' has not decided anything");
 }
 
 TEST_F(ReasonsService, ARobotThatHasNotDecidedGetsASentence) {
