@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { colourOfSkill, drawPhases, piecesOf, piecesOfRuns } from "./phases";
+import { colourOfSkill, differencesOf, drawPhases, piecesOf, piecesOfRuns } from "./phases";
 import { countOf } from "./timeline";
 import { testPen } from "./test_pen";
 
@@ -31,6 +31,7 @@ test("a wide enough piece shows its skill", () => {
     400,
     50,
     pieces,
+    undefined,
     ["kick", "walk_to_ball"],
     { span: { from: 0, to: 10 }, at: 5, count: countOf({ from: 0, to: 10 }, false) },
     colours,
@@ -47,4 +48,31 @@ test("runs of a whole recording become pieces with the gaps between them", () =>
     { from: 10, to: 20, skill: "walk", role: "" },
     { from: 50, to: 55, skill: "kick", role: "striker" },
   ]);
+});
+
+test("two bands differ where both decided, for other skills", () => {
+  const piece = (from: number, to: number, skill: string) => ({ from, to, skill, role: "" });
+  const recorded = [piece(0, 4, "walk"), piece(4, 6, "kick"), piece(10, 12, "search")];
+  const other = [piece(0, 3, "walk"), piece(3, 6, "dribble"), piece(6, 11, "walk")];
+  expect(differencesOf(recorded, other)).toEqual([
+    { from: 3, to: 6 },
+    { from: 10, to: 11 },
+  ]);
+  expect(differencesOf(recorded, recorded)).toEqual([]);
+  expect(differencesOf(recorded, [])).toEqual([]);
+
+  const pen = testPen();
+  const colours = { ink: "#000", soft: "#000", line: "#000", fill: "#000", accent: "#000", warn: "#f00" };
+  const span = { from: 0, to: 12 };
+  drawPhases(
+    pen,
+    1200,
+    92,
+    recorded,
+    other,
+    ["dribble", "kick", "search", "walk"],
+    { span, at: 1, count: countOf(span, true) },
+    colours,
+  );
+  expect(pen.texts.map(({ text }) => text)).toEqual(expect.arrayContaining(["kick", "dribble"]));
 });

@@ -50,34 +50,70 @@ export function piecesOfRuns(runs: WholeRun[], span: Span, secondsOf: (ns: bigin
   return pieces;
 }
 
+/** Returns the spans in which both decided, for other skills. */
+export function differencesOf(one: Piece[], other: Piece[]): Span[] {
+  const spans: Span[] = [];
+  let next = 0; // pieces of `other` before it end before the piece of `one`
+  for (const { from, to, skill } of one) {
+    while (next < other.length && other[next]!.to <= from) ++next;
+    for (let i = next; i < other.length && other[i]!.from < to; ++i) {
+      const piece = other[i]!;
+      if (piece.skill === skill) continue;
+      const span = { from: Math.max(from, piece.from), to: Math.min(to, piece.to) };
+      if (span.to <= span.from) continue;
+      const before = spans.at(-1);
+      if (before?.to === span.from) before.to = span.to;
+      else spans.push(span);
+    }
+  }
+  return spans;
+}
+
+/**
+ * Draws the pieces as a band. `others` are a second band below, and a line between the two marks where they differ.
+ */
 export function drawPhases(
   pen: Pen,
   width: number,
   height: number,
   pieces: Piece[],
+  others: Piece[] | undefined,
   skills: string[],
   { span, at, count: { zero, wordsOf }, unloaded = [] }: { span: Span; at: number; count: Count; unloaded?: Span[] },
   colours: Colours,
 ): void {
   const bar = { top: 4, height: height - 24 };
-  pen.fillStyle = colours.line;
-  pen.fillRect(0, bar.top, width, bar.height);
-  for (const { from, to } of unloaded) {
-    const [left, right] = [from, to].map((time) => Math.min(width, Math.max(0, xOf(span, width, time))));
-    hatch(pen, left!, bar.top, right! - left!, bar.height, colours.soft);
-  }
+  const between = others ? 8 : 0; // [px]
+  const high = others ? (bar.height - between) / 2 : bar.height;
   pen.textBaseline = "middle";
   pen.font = "11px system-ui, sans-serif";
-  for (const { from, to, skill } of pieces) {
-    const [left, right] = [xOf(span, width, from), xOf(span, width, Math.min(to, span.to))];
-    const colour = colourOfSkill(skills, skill);
-    pen.fillStyle = colour;
-    pen.fillRect(left, bar.top, Math.max(1, right - left), bar.height);
-    const word = skill.replaceAll("_", " ");
-    if (right - left > 6.2 * word.length + 8) {
-      pen.fillStyle = wordsOn(colour);
-      pen.textAlign = "left";
-      pen.fillText(word, left + 4, bar.top + bar.height / 2);
+  const band = (pieces: Piece[], top: number) => {
+    pen.fillStyle = colours.line;
+    pen.fillRect(0, top, width, high);
+    for (const { from, to } of unloaded) {
+      const [left, right] = [from, to].map((time) => Math.min(width, Math.max(0, xOf(span, width, time))));
+      hatch(pen, left!, top, right! - left!, high, colours.soft);
+    }
+    for (const { from, to, skill } of pieces) {
+      const [left, right] = [xOf(span, width, from), xOf(span, width, Math.min(to, span.to))];
+      const colour = colourOfSkill(skills, skill);
+      pen.fillStyle = colour;
+      pen.fillRect(left, top, Math.max(1, right - left), high);
+      const word = skill.replaceAll("_", " ");
+      if (right - left > 6.2 * word.length + 8) {
+        pen.fillStyle = wordsOn(colour);
+        pen.textAlign = "left";
+        pen.fillText(word, left + 4, top + high / 2);
+      }
+    }
+  };
+  band(pieces, bar.top);
+  if (others) {
+    band(others, bar.top + high + between);
+    pen.fillStyle = colours.warn;
+    for (const { from, to } of differencesOf(pieces, others)) {
+      const left = xOf(span, width, from);
+      pen.fillRect(left, bar.top + high + 2, Math.max(1, xOf(span, width, to) - left), between - 4);
     }
   }
   pen.textAlign = "center";

@@ -7,7 +7,7 @@ import { LogHistory } from "./log_history";
 import { isKind, MemoryObject, topicOfRobot, type Moment, type RobotName } from "./memory_object";
 import { Past } from "./past";
 import type { Played } from "./played";
-import type { LogText, RobotObject, RobotObjects, WorldObject, WorldObjects } from "./schema";
+import type { DecisionTrace, LogText, RobotObject, RobotObjects, WorldObject, WorldObjects } from "./schema";
 import { ServerClock } from "./server_clock";
 import { simulationOf } from "./simulation";
 
@@ -189,6 +189,11 @@ export class Memory {
   /** Returns one of our objects of a robot. */
   of<Name extends RobotObject>(robot: RobotName, name: Name): MemoryObject<RobotObjects[Name]> | undefined {
     return this.get(topicOfRobot(robot, name)) as MemoryObject<RobotObjects[Name]> | undefined;
+  }
+
+  /** Returns the decisions of another tree, which foresight-lab redecide writes beside the recorded ones. */
+  redecisionsOf(robot: RobotName): MemoryObject<DecisionTrace> | undefined {
+    return this.get(`/${robot}/redecision`) as MemoryObject<DecisionTrace> | undefined;
   }
 
   /** Returns one of our objects that belong to no robot. */

@@ -9,6 +9,7 @@ import { kTruth } from "./vocabulary";
 
 export const kWhy = "/decision/why";
 export const kWhyNot = "/decision/why_not";
+export const kSituation = "/decision/situation";
 
 /** The objects that a decision reads, and the decision itself. */
 const kRead = [

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { changesBetween } from "./decision_changes";
+import { changesBetween, otherDeed } from "./decision_changes";
 import type { Decision, Visit } from "../memory/decisions";
 
 const visit = (path: string, result: boolean, value = 0.4): Visit => ({
@@ -44,4 +44,16 @@ test("another tree, and another leaf of the same skill, are changes", () => {
   expect(changesBetween(kDecision, { ...kDecision, leaf: "c/walk_to_ball" })).toEqual([
     "another part of the tree with the same skill",
   ]);
+});
+
+test("another deed is named by its skill and the arguments that differ", () => {
+  const argument = (name: string, value: number) => ({ name, value });
+  const walk = (tolerance: number) => ({
+    skill: "walk_to_ball",
+    arguments: [argument("tolerance", tolerance), argument("gain", 1)],
+  });
+  expect(otherDeed(walk(0.5), walk(0.5))).toBe("the same");
+  expect(otherDeed(walk(0.5), walk(0.96))).toBe("walk to ball, tolerance 0.96");
+  expect(otherDeed(walk(0.5), { skill: "", arguments: [] })).toBe("nothing");
+  expect(otherDeed(walk(0.5), { skill: "walk_to_ball", arguments: [] })).toBe("walk to ball");
 });

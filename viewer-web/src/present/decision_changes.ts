@@ -5,6 +5,20 @@ import { words } from "./format";
 
 const conditionOf = (visit: Visit): string => visit.condition || visit.name;
 
+type Deed = Pick<Decision, "skill" | "arguments">;
+
+/** Returns what another tree decides, for people: "the same", or the skill with the arguments that differ. */
+export function otherDeed(deed: Deed, other: Deed): string {
+  const known = new Map(deed.arguments.map(({ name, value }) => [name, value]));
+  const differing = other.arguments.filter(({ name, value }) => known.get(name) !== value);
+  if (deed.skill === other.skill && differing.length === 0 && deed.arguments.length === other.arguments.length)
+    return "the same";
+  return [
+    words(other.skill) || "nothing",
+    ...differing.map(({ name, value }) => `${words(name)} ${value.toFixed(2)}`),
+  ].join(", ");
+}
+
 /** Returns one sentence for each difference that matters, the skill first. Empty if the same path was taken. */
 export function changesBetween(before: Decision, now: Decision): string[] {
   const changes: string[] = [];

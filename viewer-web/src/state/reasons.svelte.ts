@@ -3,6 +3,7 @@
 import {
   alternativeOf,
   knownThen,
+  kSituation,
   kWhy,
   kWhyNot,
   reasonsOf,
@@ -72,6 +73,24 @@ export class ReasonsAsker {
     } catch (error) {
       if (this.whyNot === asked)
         this.whyNot = { ...asked, problem: (error as Error).message.replace(`${kWhyNot}: `, "") };
+    }
+  }
+
+  /** Whether moments can be saved. */
+  get saves(): boolean {
+    return this.viewer.server.serviceNames.includes(kSituation);
+  }
+
+  /** Returns what the robot believed at the shown decision, as a situation of the simulator, or the reason why not. */
+  async situation(): Promise<{ text: string } | { problem: string }> {
+    const { server, robot } = this.viewer;
+    const known = knownThen(server.memory, robot);
+    if (!known) return { problem: "no decision is shown" };
+    try {
+      const { situation } = await server.client.call(kSituation, requestOf(known));
+      return { text: String(situation) };
+    } catch (error) {
+      return { problem: (error as Error).message.replace(`${kSituation}: `, "") };
     }
   }
 
