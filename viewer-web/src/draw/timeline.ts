@@ -11,7 +11,7 @@ export interface Span {
 
 export interface Mark {
   at: number;
-  kind: EventKind | "bookmark";
+  kind: EventKind | "bookmark" | "breakpoint";
   text: string;
 }
 
@@ -120,11 +120,14 @@ const kShape: Record<Mark["kind"], { letter: string; rank: number; above: number
   goal: { letter: "G", rank: 0, above: 6, below: 6 },
   error: { letter: "!", rank: 0, above: 6, below: 6 },
   bookmark: { letter: "◆", rank: 0, above: 6, below: 6 },
+  breakpoint: { letter: "●", rank: 1, above: 6, below: 6 },
   penalty: { letter: "P", rank: 1, above: 4, below: 6 },
   fall: { letter: "F", rank: 2, above: 4, below: 6 },
   state: { letter: "", rank: 3, above: 4, below: 6 },
   kick: { letter: "", rank: 3, above: 0, below: 4 },
 };
+const colourOf = (kind: Mark["kind"], { warn, accent, soft }: Colours): string =>
+  kind === "error" || kind === "breakpoint" ? warn : kShape[kind].rank === 0 ? accent : soft;
 const kLetterRoom = 11; // [px]
 const kTextRoom = 22; // [px] on each side of the middle of a time
 
@@ -240,8 +243,8 @@ function drawMarks(
   pen.textBaseline = "middle";
   // the important ones last, above the others
   for (const { x, kind } of [...ranked].reverse()) {
-    const { rank, above, below } = kShape[kind];
-    pen.fillStyle = kind === "error" ? colours.warn : rank === 0 ? colours.accent : colours.soft;
+    const { above, below } = kShape[kind];
+    pen.fillStyle = colourOf(kind, colours);
     pen.fillRect(x - 0.5, top - above, 1.5, above + below);
   }
   for (const { x, kind } of ranked) {
@@ -250,7 +253,7 @@ function drawMarks(
     if (!letter || texts.some((text) => Math.abs(text - x) < kTextRoom)) continue;
     if ([step - 1, step, step + 1].some((near) => Math.abs((taken[near] ?? Infinity) - x) < kLetterRoom)) continue;
     taken[step] = x;
-    pen.fillStyle = kind === "error" ? colours.warn : rank === 0 ? colours.accent : colours.soft;
+    pen.fillStyle = colourOf(kind, colours);
     pen.font = `${rank === 0 ? 700 : 400} 10px system-ui, sans-serif`;
     pen.fillText(letter, x, top - 9);
   }

@@ -8,10 +8,10 @@ const at = (seconds: number) => BigInt(Math.round(seconds * 10)) * (kSecond / 10
 function run(breakpoint: Breakpoint, from: number, to: number, begins: (shown: number) => number[]): bigint[] {
   const stops: bigint[] = [];
   for (let shown = from; shown <= to + 1e-9; shown += 0.1) {
-    const stop = breakpoint.stopAt(at(shown), true, begins(shown).map(at));
+    const stop = breakpoint.stopAt(at(shown), true, begins(shown).map(at), kSecond / 10n);
     if (stop === undefined) continue;
     stops.push(stop);
-    breakpoint.stopAt(stop, false, begins(shown).map(at)); // it stands there
+    breakpoint.stopAt(stop, false, begins(shown).map(at), 0n); // it stands there
   }
   return stops;
 }
@@ -28,8 +28,23 @@ test("neither a seek nor a pause passes over a match and stops at it", () => {
   const breakpoint = new Breakpoint();
   const begins = [at(30), at(50)];
   expect(run(breakpoint, 0, 10, () => [])).toEqual([]);
-  expect(breakpoint.stopAt(at(40), true, begins)).toBeUndefined(); // forwards, over 30 s
-  expect(breakpoint.stopAt(at(20), true, begins)).toBeUndefined(); // back
-  expect(breakpoint.stopAt(at(31), false, begins)).toBeUndefined(); // a person looks at another moment
+  expect(breakpoint.stopAt(at(40), true, begins, kSecond)).toBeUndefined(); // forwards, over 30 s
+  expect(breakpoint.stopAt(at(20), true, begins, kSecond)).toBeUndefined(); // back
+  expect(breakpoint.stopAt(at(31), false, begins, kSecond)).toBeUndefined(); // a person looks at another moment
   expect(run(breakpoint, 31.1, 60, () => [30, 50])).toEqual([at(50)]);
+});
+
+test("a page that stands still for some seconds passes over no match, at any pace", () => {
+  const breakpoint = new Breakpoint();
+  expect(breakpoint.stopAt(at(0), true, [at(40)], 0n)).toBeUndefined();
+  for (let frame = 0; frame < 10; ++frame)
+    expect(breakpoint.stopAt(at(0), true, [at(40)], 5n * kSecond)).toBeUndefined();
+  expect(breakpoint.stopAt(at(45), true, [at(40)], 0n)).toBe(at(40));
+});
+
+test("a playback that pauses by itself just behind a match stops at it", () => {
+  const breakpoint = new Breakpoint();
+  expect(breakpoint.stopAt(at(39), true, [at(40)], 0n)).toBeUndefined();
+  expect(breakpoint.stopAt(at(40.5), false, [at(40)], kSecond)).toBe(at(40)); // its server waits for data
+  expect(breakpoint.stopAt(at(41.5), false, [at(40), at(41)], kSecond)).toBeUndefined(); // a person skips a second
 });

@@ -81,7 +81,7 @@ export const kPageKeys: Key[] = [
   },
   {
     keys: ["P", "N"],
-    does: "previous or next match of the condition",
+    does: "previous or next match of the condition, or of a breakpoint",
     act: ({ moments }, { key }) => moments.jump(key === "P" ? -1 : 1),
   },
   { keys: ["b"], does: "bookmark this moment", act: ({ moments }) => moments.mark() },

@@ -6,7 +6,7 @@ import { kViews, type Route, type View } from "./route";
 
 const kFormat = 1;
 /** Settings of the whole page that belong to the arrangement, beside those of panes. The others are moments. */
-const kArrangement = ["with", "field", "find", "panes"];
+const kArrangement = ["with", "field", "find", "breaks", "panes"];
 const isArrangement = (setting: string): boolean => kArrangement.includes(setting) || ownerOf(setting).number > 0;
 const kRobot = /^(\d+\/\d+(@[\w.:[\]-]+)?)?$/;
 const kLongest = 20_000; // [letters] of all settings

@@ -1,106 +1,79 @@
-// Interesting moments: the matches of a condition, and bookmarks. Both are in the page's address.
+// Interesting moments: the matches of a condition, breakpoints and bookmarks. All are in the page's address.
 
-import { conditionOf, type Condition } from "../memory/condition";
-import type { Mistake } from "../memory/expression";
-import { Finder, type Match } from "../memory/finder";
-import { vocabularyOf } from "../memory/vocabulary";
-import { WholeFinder, type FetchPart } from "../memory/whole_finder";
 import { Breakpoint } from "./breakpoint";
+import { breakpointsOf, kLongestCondition, kMostBreakpoints, textOfBreakpoints } from "./breakpoints";
 import { bookmarksOf, textOfBookmarks, withBookmark, type Bookmark } from "./bookmarks";
+import { now } from "./frame.svelte";
+import { Search } from "./search.svelte";
 import type { Viewer } from "./viewer.svelte";
 
 const kBudget = 4; // [ms] of a frame for reading the past
+
+/** A condition that stops time, with its matches. */
+export interface KeptBreakpoint {
+  condition: string;
+  /** false: it is only shown. */
+  on: boolean;
+  search: Search;
+}
 
 export class Moments {
   open = $state(false);
 
   query: string = $derived.by(() => this.viewer.get("find"));
-  readonly #parsed: Condition | Mistake | undefined = $derived.by(() => {
-    const { server, robot } = this.viewer;
-    void server.offers;
-    return this.query.trim() ? conditionOf(this.query, vocabularyOf(server.memory, robot)) : undefined;
-  });
-  /** The mistake in the condition and its place. */
-  mistake: Mistake | undefined = $derived(this.#parsed && "error" in this.#parsed ? this.#parsed : undefined);
-  condition: Condition | undefined = $derived(this.#parsed && !("error" in this.#parsed) ? this.#parsed : undefined);
-  #finder: Finder | undefined = $derived.by(() => {
-    const { memory } = this.viewer.server;
-    const { condition } = this;
-    return (
-      condition &&
-      new Finder(
-        condition,
-        new Map([...memory.objects()].map((object) => [object.channel.topic, object])),
-        memory.played !== undefined,
-      )
-    );
-  });
-  /**
-   * The search in the whole recording, if its server supports it. Until then, and otherwise, the seen part is
-   * searched.
-   */
-  #whole: WholeFinder | undefined = $derived.by(() => {
-    const { memory, target, played } = this.viewer.server;
-    const { condition } = this;
-    // the page cannot reach the HTTP interface of other servers
-    if (!condition || !played || !target.ownHost) return undefined;
-    const fetch: FetchPart = async (...part) => (await import("../source/played_parts")).fetchPlayed(...part);
-    const decoders = new Map(
-      [...memory.objects()].map((object) => [object.channel.topic, (data: Uint8Array) => object.decode(data)]),
-    );
-    return new WholeFinder(condition, decoders, played, fetch);
-  });
+  readonly search: Search;
   /** Whether time stops when the condition begins to hold. */
   stops: boolean = $derived.by(() => this.viewer.get("stop") === "yes");
-  #breakpoint = new Breakpoint();
+  readonly #searches = new Map<string, Search>(); // by condition
+  breakpoints: KeptBreakpoint[] = $derived.by(() =>
+    breakpointsOf(this.viewer.get("breaks")).map((kept) => ({ ...kept, search: this.#searchFor(kept.condition) })),
+  );
+  readonly #breakpoint = new Breakpoint();
+  #frame = 0; // [s] time of the last one in which something could stop
   bookmarks: Bookmark[] = $derived.by(() => bookmarksOf(this.viewer.get("marks")));
 
   constructor(readonly viewer: Viewer) {
-    this.open = viewer.get("find") !== "" || viewer.get("marks") !== "";
+    this.search = new Search(viewer, () => this.query);
+    this.open = ["find", "marks", "breaks"].some((setting) => viewer.get(setting) !== "");
+  }
+
+  #searchFor(condition: string): Search {
+    let search = this.#searches.get(condition);
+    if (!search) this.#searches.set(condition, (search = new Search(this.viewer, () => condition)));
+    return search;
+  }
+
+  /** The searches that stop time. */
+  get #stopping(): Search[] {
+    const kept = this.breakpoints.filter(({ on }) => on).map(({ search }) => search);
+    return this.stops ? [this.search, ...kept] : kept;
+  }
+
+  /** All topics that are read. */
+  get topics(): string[] {
+    const searches = [this.search, ...this.breakpoints.map(({ search }) => search)];
+    return [...new Set(searches.flatMap(({ condition }) => condition?.topics ?? []))];
   }
 
   /** Called before each drawing. */
   update(): void {
-    if (this.#searched) this.#searched.update(kBudget);
-    else this.#finder?.update(kBudget);
-    if (!this.stops || !this.condition) return this.#breakpoint.clear();
+    const all = [this.search, ...this.breakpoints.map(({ search }) => search)];
+    for (const search of all) search.update(kBudget / all.length);
+    const stopping = this.#stopping.filter(({ condition }) => condition);
+    if (stopping.length === 0) return this.#breakpoint.clear();
     const { time } = this.viewer;
-    const stop_ns = this.#breakpoint.stopAt(time.at_ns, time.runs, this.#begins());
+    const stop_ns = this.#breakpoint.stopAt(time.at_ns, time.runs, inOrder(stopping), this.#elapsed_ns());
     if (stop_ns === undefined) return;
     time.seek(stop_ns);
     time.hold();
   }
 
-  /** The begins of all matches, in the reference's time. */
-  #begins(): bigint[] {
-    const shift_ns = this.viewer.time.shiftOf(this.viewer.server);
-    return this.matches.map(({ from_ns }) => from_ns - shift_ns);
-  }
-
-  get #searched(): WholeFinder | undefined {
-    return this.#whole?.problem ? undefined : this.#whole;
-  }
-
-  /** In the chosen robot's time. */
-  get matches(): readonly Match[] {
-    return (this.#searched ?? this.#finder)?.matches ?? [];
-  }
-
-  /** The searched range, for people: "in the whole recording". */
-  get scope(): string {
-    const whole = this.#searched;
-    if (!whole) return "in what was seen";
-    return whole.done ? "in the whole recording" : `in ${Math.floor(100 * whole.share)} % of the recording`;
-  }
-
-  /** True if there are more matches than these. */
-  get more(): boolean {
-    return this.#searched?.full ?? false;
-  }
-
-  /** The reason why only the seen part is searched, or "". */
-  get problem(): string {
-    return this.#whole?.problem ?? "";
+  /** The time since the last call, at the pace of the playback. */
+  #elapsed_ns(): bigint {
+    const frame = now();
+    const elapsed = Math.max(0, frame - this.#frame) * Math.max(1, this.viewer.time.speed);
+    this.#frame = frame;
+    return BigInt(Math.round(1e9 * elapsed));
   }
 
   stopThere(stops: boolean): void {
@@ -111,9 +84,36 @@ export class Moments {
     this.viewer.set("find", query);
   }
 
-  /** Goes to the next or previous begin of a match. */
+  /** Goes to the next or previous begin of a match, or of a breakpoint's. */
   jump(by: 1 | -1): void {
-    this.viewer.time.jumpAmong(by, this.#begins());
+    const kept = this.breakpoints.filter(({ on }) => on).map(({ search }) => search);
+    this.viewer.time.jumpAmong(by, inOrder([this.search, ...kept]));
+  }
+
+  /** Whether the searched condition can become a breakpoint. */
+  get canBreak(): boolean {
+    return (
+      this.search.condition !== undefined &&
+      this.query.length <= kLongestCondition &&
+      this.breakpoints.length < kMostBreakpoints &&
+      this.breakpoints.every(({ condition }) => condition !== this.query.trim())
+    );
+  }
+  /** Makes the searched condition a breakpoint. */
+  break(): void {
+    this.#keepBreakpoints([...this.breakpoints, { condition: this.query.trim(), on: true }]);
+    this.viewer.set("find", "");
+    this.viewer.set("stop", "");
+  }
+  turn(condition: string, on: boolean): void {
+    this.#keepBreakpoints(this.breakpoints.map((kept) => (kept.condition === condition ? { condition, on } : kept)));
+  }
+  unbreak(condition: string): void {
+    this.#keepBreakpoints(this.breakpoints.filter((kept) => kept.condition !== condition));
+    this.#searches.delete(condition);
+  }
+  #keepBreakpoints(breakpoints: { condition: string; on: boolean }[]): void {
+    this.viewer.set("breaks", textOfBreakpoints(breakpoints));
   }
 
   mark(): void {
@@ -130,3 +130,7 @@ export class Moments {
     this.viewer.set("marks", textOfBookmarks(bookmarks));
   }
 }
+
+/** The begins of all matches, in order. */
+const inOrder = (searches: Search[]): bigint[] =>
+  searches.flatMap((search) => search.begins()).sort((a, b) => (a < b ? -1 : a > b ? 1 : 0));
