@@ -26,6 +26,16 @@ async function recorded(folder) {
   return file;
 }
 
+/** Opens the page of a recording that plays, and stops it there. */
+async function openStopped(t, url) {
+  const opened = await open(t, url, { viewport: kWide });
+  await opened.page.getByLabel("Elapsed").filter({ hasText: "/ 1:38" }).waitFor();
+  await until(async () => !/^0:00/.test(await opened.page.getByLabel("Elapsed").textContent()), "the play");
+  await opened.page.getByRole("button", { name: "Freeze view" }).click();
+  await opened.page.getByRole("button", { name: "Go on" }).waitFor();
+  return opened;
+}
+
 test("breakpoints stop time, stand on the strip and in the address, and can be turned off", async (t) => {
   const folder = temporaryFolder(t);
   const file = await recorded(folder);
@@ -37,8 +47,7 @@ test("breakpoints stop time, stand on the strip and in the address, and can be t
   assert.ok(begins.length >= 2, `${begins.length} walks to the ball`);
 
   const server = await play(t, folder, file);
-  const { page, problems } = await open(t, `${server.http}/#/14/2/debug`, { viewport: kWide });
-  await page.keyboard.press("Space");
+  const { page, problems } = await openStopped(t, `${server.http}/#/14/2/debug`);
   await page.keyboard.press("w");
   await page.getByLabel("Find when").fill("decision.skill == walk_to_ball");
   await page.getByText("in the whole recording").waitFor();
@@ -61,17 +70,19 @@ test("breakpoints stop time, stand on the strip and in the address, and can be t
   await until(() => at(page) === begins[0], "back to the first one");
 
   // it stops while the recording plays, and the address keeps it
-  const again = await open(t, `${page.url().split("?")[0]}?breaks=decision.skill+%3D%3D+walk_to_ball`, {
-    viewport: kWide,
-  });
-  await again.page.keyboard.press("Space");
+  const again = await openStopped(t, `${page.url().split("?")[0]}?breaks=decision.skill+%3D%3D+walk_to_ball`);
+  await again.page.keyboard.press("Escape"); // keys go to the search, which is open
   await again.page.keyboard.press("Home");
+  await until(() => at(again.page) < begins[0], "the beginning");
   await again.page.getByText(`${begins.length} times`).waitFor();
   await again.page.getByLabel("Pace").selectOption({ label: "5 ×" });
   await again.page.getByRole("button", { name: "Go on" }).click();
-  await again.page.getByRole("button", { name: "Go on" }).waitFor();
-  // a page on a busy machine may pass over the first one
-  await until(() => begins.includes(at(again.page)), "a stop at the begin of a walk");
+  await until(
+    () => at(again.page) === begins[0],
+    "the stop at the first walk",
+    undefined,
+    () => again.page.url(),
+  );
 
   // off, it stops nothing
   await again.page.getByRole("button", { name: "decision.skill == walk_to_ball", pressed: true }).click();
@@ -91,9 +102,8 @@ test("the decisions of another tree are a second band below the recorded ones", 
   const [file, copy] = [await recorded(folder), join(folder, "redecided")];
   await done("foresight-lab", "redecide", file, "--robot", "14/2", "--strategy", "kick_now", "--session", copy);
   const server = await play(t, folder, copy);
-  const { page, problems } = await open(t, `${server.http}/#/14/2/decision`, { viewport: kWide });
+  const { page, problems } = await openStopped(t, `${server.http}/#/14/2/decision`);
   await page.getByRole("img", { name: "and below them those of the other tree" }).waitFor();
-  await page.keyboard.press("Space");
   const other = page.getByLabel("The other tree");
   // a moment of play; dead time has no decisions
   await page.keyboard.press("w");
@@ -111,8 +121,7 @@ test("the decisions of another tree are a second band below the recorded ones", 
 test("what a robot believed at the shown decision is saved, and games begin there", async (t) => {
   const folder = temporaryFolder(t);
   const server = await play(t, folder, await recorded(folder));
-  const { page, problems } = await open(t, `${server.http}/#/14/2/debug`, { viewport: kWide });
-  await page.keyboard.press("Space");
+  const { page, problems } = await openStopped(t, `${server.http}/#/14/2/debug`);
   await page.keyboard.press("w");
   await page.getByLabel("Find when").fill("decision.skill == walk_to_ball");
   await page.getByText(/in the whole recording/).waitFor();
