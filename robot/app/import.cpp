@@ -56,20 +56,22 @@ logging::SessionInfo session_info(RobotName robot, std::string name, std::string
           .start_ns = start_ns};
 }
 
-/// Creates a session and calls `fill` with its sink. Removes the session if that fails.
+/// Writes a session that `fill` fills through a sink, and describes it by the report.
 template <class Fill>
-auto write_session(const std::filesystem::path& folder, logging::SessionInfo info, Fill&& fill)
-    -> decltype(fill(std::declval<lab::ImportSink&>())) {
-  auto writer = logging::SessionWriter::create(folder, info);
-  if (!writer) return writer.failure();
-  lab::SessionSink sink(info.robot, **writer);
-  auto filled = fill(sink);
-  if (filled) (*writer)->describe(filled->about);
-  Result<void> closed = (*writer)->close();
-  if (filled && closed) return filled;
-  std::error_code ignored;
-  std::filesystem::remove_all(folder, ignored);
-  return filled ? closed.failure() : filled.failure();
+Result<lab::ImportReport> write_import(const std::filesystem::path& folder, const logging::SessionInfo& info,
+                                       Fill&& fill) {
+  lab::ImportReport report;
+  const Result<void> written =
+      logging::write_session(folder, info, [&](logging::SessionWriter& writer) -> Result<void> {
+        lab::SessionSink sink(info.robot, writer);
+        auto filled = fill(sink);
+        if (!filled) return filled.failure();
+        writer.describe(filled->about);
+        report = *std::move(filled);
+        return {};
+      });
+  if (!written) return written.failure();
+  return report;
 }
 
 }  // namespace
@@ -79,25 +81,25 @@ Result<lab::ImportReport> import_recording(const ImportRequest& request) {
   if (!bytes) return bytes.failure("import");
   const std::string format = request.format == "auto" ? format_of(*bytes) : request.format;
   const PlayedBy played = rules_of(format);
-  return write_session(request.session, session_info(request.robot, request.name, played.rules, kUndatedEpochNs),
-                       [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
-                         Result<lab::ImportReport> report = import_bytes(format, *bytes, sink);
-                         if (report && report->messages.empty())
-                           return Error{"import: " + request.file.string() + " contains no message" +
-                                        (report->damage.empty() ? "" : ": " + report->damage)};
-                         if (!report) return report.failure("import: " + request.file.string());
-                         if (!played.assumed.empty())
-                           report->about += (report->about.empty() ? "" : "; ") + played.assumed;
-                         return report;
-                       });
+  return write_import(request.session, session_info(request.robot, request.name, played.rules, kUndatedEpochNs),
+                      [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
+                        Result<lab::ImportReport> report = import_bytes(format, *bytes, sink);
+                        if (report && report->messages.empty())
+                          return Error{"import: " + request.file.string() + " contains no message" +
+                                       (report->damage.empty() ? "" : ": " + report->damage)};
+                        if (!report) return report.failure("import: " + request.file.string());
+                        if (!played.assumed.empty())
+                          report->about += (report->about.empty() ? "" : "; ") + played.assumed;
+                        return report;
+                      });
 }
 
 Result<lab::ImportReport> synthesize(const std::filesystem::path& session, RobotName robot, double seconds) {
   if (!(seconds >= 1 && seconds <= 600))
     return Error{"synthesize: seconds must be 1 .. 600, got " + std::to_string(seconds)};
   const lab::SyntheticRobot::Options options{.seconds = seconds};
-  return write_session(session, session_info(robot, "synthetic", kWideField, options.epoch_ns),
-                       [&](lab::ImportSink& sink) { return lab::SyntheticRobot(options).write(sink); });
+  return write_import(session, session_info(robot, "synthetic", kWideField, options.epoch_ns),
+                      [&](lab::ImportSink& sink) { return lab::SyntheticRobot(options).write(sink); });
 }
 
 }  // namespace robot::app

@@ -1,7 +1,6 @@
 #include "robot/app/redecided_session.h"
 
-#include <optional>
-#include <system_error>
+#include <utility>
 
 #include "robot/app/build_id.h"
 #include "robot/logging/sessions/session_provider.h"
@@ -57,14 +56,8 @@ Result<void> write_redecided(const logging::Session& session, const Redecisions&
   info.build = std::string(kBuildId);
   info.complete = false;
   info.account = {};
-  auto writer = logging::SessionWriter::create(folder, std::move(info));
-  if (!writer) return writer.failure();
-  const Result<void> filled = fill(session, decisions, **writer);
-  const Result<void> closed = (*writer)->close();
-  if (filled && closed) return {};
-  std::error_code ignored;
-  std::filesystem::remove_all(folder, ignored);
-  return filled ? closed : filled;
+  return logging::write_session(folder, std::move(info),
+                                [&](logging::SessionWriter& writer) { return fill(session, decisions, writer); });
 }
 
 }  // namespace robot::app

@@ -55,4 +55,16 @@ Result<void> SessionWriter::close() {
   return written;
 }
 
+Result<void> write_session(const std::filesystem::path& folder, SessionInfo info,
+                           const std::function<Result<void>(SessionWriter&)>& fill) {
+  auto writer = SessionWriter::create(folder, std::move(info));
+  if (!writer) return writer.failure();
+  const Result<void> filled = fill(**writer);
+  const Result<void> closed = (*writer)->close();
+  if (filled && closed) return {};
+  std::error_code ignored;
+  std::filesystem::remove_all(folder, ignored);
+  return filled ? closed : filled;
+}
+
 }  // namespace robot::logging

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -56,5 +57,9 @@ class SessionWriter {
   ManualClock clock_;  // an imported message enters memory at its capture time
   std::map<std::string, Stream> streams_;
 };
+
+/// Writes a session that `fill` fills. After an Error there is no session, unless the folder held one before.
+Result<void> write_session(const std::filesystem::path& folder, SessionInfo info,
+                           const std::function<Result<void>(SessionWriter&)>& fill);
 
 }  // namespace robot::logging
