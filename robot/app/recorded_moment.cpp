@@ -3,7 +3,6 @@
 #include "robot/app/recorded_beliefs.h"
 #include "robot/core/text.h"
 #include "robot/foresight/believed_situation.h"
-#include "robot/foresight/game_setting.h"
 #include "robot/logging/sessions/read_all.h"
 #include "sim/io/matchup.h"
 
@@ -16,6 +15,12 @@ Result<std::uint64_t> time_in(const logging::Session& session, double at) {
   return (at < 0 ? session.end_ns : session.start_ns) + static_cast<std::uint64_t>(static_cast<std::int64_t>(at * 1e9));
 }
 
+foreseeing::GameSetting recorded_setting(const logging::Session& session, const std::string& robot,
+                                         const std::string& rules) {
+  const auto simulations = logging::read_in_order<foresight::Simulation>(session, bridge::kSimulationTopic);
+  return foreseeing::setting_of(simulations.empty() ? nullptr : &simulations.front().value, robot, rules);
+}
+
 Result<std::string> situation_at(const logging::Session& session, const RecordedMoment& moment) {
   const auto at_ns = time_in(session, moment.at);
   if (!at_ns) return at_ns.failure();
@@ -24,9 +29,7 @@ Result<std::string> situation_at(const logging::Session& session, const Recorded
   if (const char* missing = beliefs.missing())
     return Error{session.id() + " has no object " + missing + " of robot " + robot + ", and a situation needs it"};
 
-  const auto simulations = logging::read_in_order<foresight::Simulation>(session, bridge::kSimulationTopic);
-  const auto setting =
-      foreseeing::setting_of(simulations.empty() ? nullptr : &simulations.front().value, robot, moment.rules);
+  const foreseeing::GameSetting setting = recorded_setting(session, robot, moment.rules);
   const auto game = sim::io::prepare({.rules = setting.rules, .models = {setting.models, setting.opponent_models}});
   if (!game) return game.failure();
   const double seconds = static_cast<double>(*at_ns - session.start_ns) / 1e9;

@@ -5,9 +5,9 @@
 
 #include "robot/agent/agent.h"
 #include "robot/app/recorded_beliefs.h"
+#include "robot/app/recorded_moment.h"
 #include "robot/core/csv.h"
 #include "robot/core/text.h"
-#include "robot/foresight/game_setting.h"
 #include "robot/logging/sessions/read_all.h"
 #include "sim/io/vocabulary.h"
 
@@ -111,9 +111,7 @@ Result<Redecisions> redecide(const logging::Session& session, const RedecideOpti
     return Error{session.id() + " has no object " + missing + " of robot " + decisions.robot +
                  ", and a decision needs it"};
 
-  const auto simulations = logging::read_in_order<pb::Simulation>(session, bridge::kSimulationTopic);
-  const foreseeing::GameSetting setting = foreseeing::setting_of(
-      simulations.empty() ? nullptr : &simulations.front().value, decisions.robot, options.rules);
+  const foreseeing::GameSetting setting = recorded_setting(session, decisions.robot, options.rules);
   auto agent = agent::Agent::load(
       {.behaviour = options.strategy, .strategies = {}, .stale = 0, .rules = setting.rules, .models = options.models});
   if (!agent) return agent.failure();
