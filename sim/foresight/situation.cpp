@@ -159,13 +159,8 @@ class Guesswork {
 };
 
 /// Returns four draws of the standard normal distribution.
-struct Normals {
-  float values[4];
-};
-Normals normals_of(RandomKey key, int who, std::uint32_t number = 0) {
-  const auto words = draw(key, static_cast<std::uint32_t>(who), Draw::belief, number);
-  const auto first = normals(words[0], words[1]), second = normals(words[2], words[3]);
-  return {{first[0], first[1], second[0], second[1]}};
+std::array<float, 4> normals_of(RandomKey key, int who, std::uint32_t number = 0) {
+  return normals(draw(key, static_cast<std::uint32_t>(who), Draw::belief, number));
 }
 
 /// Returns the nearest point where a robot may be.
@@ -180,9 +175,9 @@ std::optional<Ball> ball_nearby(const field::Field& field, const World& world, c
                                 const Pose2& seen_from, RandomKey key) {
   Ball ball = world.ball;
   for (std::uint32_t number = 0; number < kTries; ++number) {
-    const Normals drawn = normals_of(key, kNobody, number);
-    Vec2 position = world.ball.position + doubt.ball * Vec2{drawn.values[0], drawn.values[1]};
-    Vec2 velocity = world.ball.velocity + doubt.ball_velocity * Vec2{drawn.values[2], drawn.values[3]};
+    const auto drawn = normals_of(key, kNobody, number);
+    Vec2 position = world.ball.position + doubt.ball * Vec2{drawn[0], drawn[1]};
+    Vec2 velocity = world.ball.velocity + doubt.ball_velocity * Vec2{drawn[2], drawn[3]};
     if (doubt.ball_by_own_eyes) {
       const Body& body = world.bodies[doubt.whose];
       const Vec2 turn = direction(normalized(body.heading - seen_from.heading));
@@ -295,10 +290,9 @@ State sample(const Params& params, const Situation& situation, RandomKey key) {
   for_each_robot(world.players, [&](int robot) {
     Body& body = world.bodies[robot];
     if (body.doing == Doing::removed) return;
-    const Normals drawn = normals_of(key, robot);
-    const Vec2 off = doubt.position[robot] * Vec2{drawn.values[0], drawn.values[1]};
-    put(body, {within_border(params.rules.field, body.position + off),
-               body.heading + doubt.heading[robot] * drawn.values[2]});
+    const auto drawn = normals_of(key, robot);
+    const Vec2 off = doubt.position[robot] * Vec2{drawn[0], drawn[1]};
+    put(body, {within_border(params.rules.field, body.position + off), body.heading + doubt.heading[robot] * drawn[2]});
     state.robots[robot].cognition.last = {body.position, body.heading};
   });
 

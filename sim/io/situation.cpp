@@ -316,12 +316,12 @@ class Scene {
     const Vec2 place = ball.position;
     if (ball_doubt_.deviation < 0) return sim::place(ball, place + offset(kNobody, 0, {}).position);
     for (std::uint32_t number = 0; number < kTries; ++number) {
-      const Normals drawn = normals_of(kNobody, number);
-      const Vec2 to = place + ball_doubt_.deviation * Vec2{drawn.values[0], drawn.values[1]};
+      const auto drawn = normals(words_of(kNobody, number));
+      const Vec2 to = place + ball_doubt_.deviation * Vec2{drawn[0], drawn[1]};
       if (foresight::beyond_lines(params_.rules.field, to)) continue;
       const Vec2 velocity = ball.velocity;
       sim::place(ball, to);
-      ball.velocity = velocity + std::max(0.f, ball_doubt_.velocity_deviation) * Vec2{drawn.values[2], drawn.values[3]};
+      ball.velocity = velocity + std::max(0.f, ball_doubt_.velocity_deviation) * Vec2{drawn[2], drawn[3]};
       return;
     }
   }
@@ -330,23 +330,14 @@ class Scene {
     return draw(*shaken_, static_cast<std::uint32_t>(robot), Draw::situation, kShakes + number);
   }
 
-  struct Normals {
-    float values[4];
-  };
-  Normals normals_of(int robot, std::uint32_t number) const {
-    const auto words = words_of(robot, number);
-    const auto first = normals(words[0], words[1]), second = normals(words[2], words[3]);
-    return {{first[0], first[1], second[0], second[1]}};
-  }
-
   /// Draws a random displacement.
   Pose2 offset(int robot, std::uint32_t number, const RobotDoubt& doubt) const {
     const auto words = words_of(robot, number);
     const auto one = [&](std::size_t i) { return 2 * uniform(words[i]) - 1; };
     Pose2 by{{kShaken * one(0), kShaken * one(1)}, kTurned * one(2)};
-    const Normals drawn = normals_of(robot, number);
-    if (doubt.deviation >= 0) by.position = doubt.deviation * Vec2{drawn.values[0], drawn.values[1]};
-    if (doubt.heading_deviation >= 0) by.heading = doubt.heading_deviation * drawn.values[2];
+    const auto drawn = normals(words);
+    if (doubt.deviation >= 0) by.position = doubt.deviation * Vec2{drawn[0], drawn[1]};
+    if (doubt.heading_deviation >= 0) by.heading = doubt.heading_deviation * drawn[2];
     return by;
   }
 

@@ -73,4 +73,10 @@ inline std::array<float, 2> normals(std::uint32_t first, std::uint32_t second) {
   return {radius * place.cos, radius * place.sin};
 }
 
+/// Returns four draws, two from each pair of words.
+inline std::array<float, 4> normals(const std::array<std::uint32_t, 4>& words) {
+  const auto first = normals(words[0], words[1]), second = normals(words[2], words[3]);
+  return {first[0], first[1], second[0], second[1]};
+}
+
 }  // namespace sim
