@@ -1,5 +1,7 @@
 // Stops time at the next moment when a condition begins to hold.
 
+import { earliest } from "./earliest";
+
 const kLate_ns = 1_000_000_000n; // a match may be found this much after its moment was shown
 // A step of the shown moment that is longer than time could have run is a seek, which no match stops. This is the slack of
 // a playback that catches up.
@@ -12,7 +14,7 @@ export class Breakpoint {
   #could_ns = 0n; // by which time can have run since the shown moment last changed
 
   /**
-   * Call it for each frame with the shown moment and the begins of all matches, in order [ns]. `elapsed_ns` is the time
+   * Call it for each frame with the shown moment and the begins of all matches, in any order [ns]. `elapsed_ns` is the time
    * since the last call, at the pace of the playback. A picture may be late, and then show a much later moment. Returns
    * the moment to stop at, or undefined.
    */
@@ -29,7 +31,7 @@ export class Breakpoint {
       return undefined;
     }
     const passed_ns = this.#passed_ns;
-    const found_ns = begins.find((begin_ns) => begin_ns > passed_ns && begin_ns <= at_ns);
+    const found_ns = earliest(begins.filter((begin_ns) => begin_ns > passed_ns && begin_ns <= at_ns));
     if (found_ns !== undefined) {
       this.#passed_ns = this.#shown_ns = found_ns;
       this.#ran = false;

@@ -43,26 +43,28 @@ export class Moments {
     return search;
   }
 
-  /** The searches that stop time. */
-  get #stopping(): Search[] {
-    const kept = this.breakpoints.filter(({ on }) => on).map(({ search }) => search);
-    return this.stops ? [this.search, ...kept] : kept;
+  get #all(): Search[] {
+    return [this.search, ...this.breakpoints.map(({ search }) => search)];
+  }
+
+  /** The searches of the breakpoints that are on. */
+  get #kept(): Search[] {
+    return this.breakpoints.filter(({ on }) => on).map(({ search }) => search);
   }
 
   /** All topics that are read. */
   get topics(): string[] {
-    const searches = [this.search, ...this.breakpoints.map(({ search }) => search)];
-    return [...new Set(searches.flatMap(({ condition }) => condition?.topics ?? []))];
+    return [...new Set(this.#all.flatMap(({ condition }) => condition?.topics ?? []))];
   }
 
   /** Called before each drawing. */
   update(): void {
-    const all = [this.search, ...this.breakpoints.map(({ search }) => search)];
+    const all = this.#all;
     for (const search of all) search.update(kBudget / all.length);
-    const stopping = this.#stopping.filter(({ condition }) => condition);
+    const stopping = [...(this.stops ? [this.search] : []), ...this.#kept].filter(({ condition }) => condition);
     if (stopping.length === 0) return this.#breakpoint.clear();
     const { time } = this.viewer;
-    const stop_ns = this.#breakpoint.stopAt(time.at_ns, time.runs, inOrder(stopping), this.#elapsed_ns());
+    const stop_ns = this.#breakpoint.stopAt(time.at_ns, time.runs, beginsOf(stopping), this.#elapsed_ns());
     if (stop_ns === undefined) return;
     time.seek(stop_ns);
     time.hold();
@@ -86,8 +88,7 @@ export class Moments {
 
   /** Goes to the next or previous begin of a match, or of a breakpoint's. */
   jump(by: 1 | -1): void {
-    const kept = this.breakpoints.filter(({ on }) => on).map(({ search }) => search);
-    this.viewer.time.jumpAmong(by, inOrder([this.search, ...kept]));
+    this.viewer.time.jumpAmong(by, beginsOf([this.search, ...this.#kept]));
   }
 
   /** Whether the searched condition can become a breakpoint. */
@@ -131,6 +132,4 @@ export class Moments {
   }
 }
 
-/** The begins of all matches, in order. */
-const inOrder = (searches: Search[]): bigint[] =>
-  searches.flatMap((search) => search.begins()).sort((a, b) => (a < b ? -1 : a > b ? 1 : 0));
+const beginsOf = (searches: Search[]): bigint[] => searches.flatMap((search) => search.begins());

@@ -4,6 +4,7 @@
 
 import type { GameEvent } from "../memory/game_events";
 import { ClockShifts, type Clocked } from "./clock_shifts";
+import { earliest, latest } from "./earliest";
 import { now } from "./frame.svelte";
 import { beatOf, FrameSteps } from "./frame_steps";
 import type { Left } from "./left";
@@ -260,19 +261,16 @@ export class Time {
 
   /** Goes to the next or previous event. `others` are more moments [ns]. */
   jump(by: 1 | -1, others: bigint[]): void {
-    const moments = [...this.events().map(({ log_ns }) => log_ns), ...others];
-    this.jumpAmong(
-      by,
-      moments.sort((a, b) => (a < b ? -1 : 1)),
-    );
+    this.jumpAmong(by, [...this.events().map(({ log_ns }) => log_ns), ...others]);
   }
 
-  /** Goes to the next or previous of these sorted moments [ns]. */
+  /** Goes to the next or previous of these moments [ns], which have any order. */
   jumpAmong(by: 1 | -1, moments: bigint[]): void {
     const at_ns = this.at_ns;
     const range = this.range();
     const inside = moments.filter((moment) => range && moment >= range.first_ns && moment <= range.last_ns);
-    const next = by > 0 ? inside.find((moment) => moment > at_ns) : inside.findLast((moment) => moment < at_ns);
+    const next =
+      by > 0 ? earliest(inside.filter((moment) => moment > at_ns)) : latest(inside.filter((moment) => moment < at_ns));
     if (next !== undefined) this.seek(next);
     this.hold();
   }
