@@ -304,6 +304,7 @@ test("a service that refuses gives a normal answer with an error; an unknown ser
       "/foresight/strategies",
       "/decision/why",
       "/decision/why_not",
+      "/decision/situation",
       "message_beside",
       "watch_session",
     ],
