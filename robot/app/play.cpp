@@ -13,6 +13,7 @@
 #include "robot/app/played_range.h"
 #include "robot/app/recording_playback.h"
 #include "robot/app/runtime.h"
+#include "robot/app/services/futures_service.h"
 #include "robot/app/services/reasons_service.h"
 #include "robot/app/services/step_service.h"
 #include "robot/app/services/watch_service.h"
@@ -118,6 +119,8 @@ Result<std::optional<std::filesystem::path>> play_one(PlayOptions& options) {
         return seer.ask(stream_of, whose, question, playhead_ns.value_or(clock.now_ns()));
       });
   add_reasons_service(runtime.services(), runtime.channels(),
+                      {.strategies = options.foresight.strategies, .rules = options.foresight.rules});
+  add_futures_service(runtime.services(), runtime.channels(),
                       {.strategies = options.foresight.strategies, .rules = options.foresight.rules});
   add_step_service(runtime.services(), stream_of);
   // a mapping fits the recordings of one program

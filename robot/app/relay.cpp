@@ -11,6 +11,7 @@
 #include "robot/app/lab_objects.h"
 #include "robot/app/robot_name.h"
 #include "robot/app/runtime.h"
+#include "robot/app/services/futures_service.h"
 #include "robot/app/services/reasons_service.h"
 #include "robot/app/signals.h"
 #include "robot/core/files.h"
@@ -129,6 +130,7 @@ Result<void> relay(const RelayOptions& options) {
                   clock, {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
   add_reasons_service(runtime.services(), runtime.channels(), {});
+  add_futures_service(runtime.services(), runtime.channels(), {});
   if (const Result<void> usable = logging::check_session_name(options.name); !usable) return usable.failure("--name");
   if (Result<void> started = runtime.start(); !started) return started;
   if (options.record)

@@ -8,6 +8,7 @@
 #include "robot/agent/agent.h"
 #include "robot/app/runtime.h"
 #include "robot/app/services/foresight_service.h"
+#include "robot/app/services/futures_service.h"
 #include "robot/app/services/reasons_service.h"
 #include "robot/app/services/simulation_service.h"
 #include "robot/body/sim/sim_body.h"
@@ -79,7 +80,9 @@ Result<void> run_simulation(const RobotOptions& options) {
   add_simulation_service(**body, runtime.services());
   std::vector<std::string> trees = foreseeing.strategies;
   trees.insert(trees.end(), {options.home, options.away});
-  add_reasons_service(runtime.services(), runtime.channels(), {.strategies = std::move(trees), .rules = {}});
+  add_reasons_service(runtime.services(), runtime.channels(), {.strategies = trees, .rules = {}});
+  add_futures_service(runtime.services(), runtime.channels(),
+                      {.strategies = std::move(trees), .rules = {}, .game = body->get()});
   // time of foresight: it stops while the game is paused
   const auto shown_ns = [&simulation = (*body)->memory()->simulation] { return simulation.read()->capture_ns(); };
   const auto foresight = ForesightService::open(foreseeing, options.foresight.value_or(true), runtime,

@@ -8,11 +8,12 @@
 
 namespace robot::bridge {
 
-/// Key frames of a game, and the choices of its captain between them. The memory is taken at once and stays the same.
+/// Key frames of a game, the choices of its captain between them, and the edits of people. The memory is taken at once and stays the same.
 /// Used by one thread at a time.
 class GamePast {
  public:
   static constexpr std::size_t kFrames = 500;  // 4 MB
+  static constexpr std::size_t kEdits = 50;
 
   GamePast();
 
@@ -24,10 +25,13 @@ class GamePast {
   void note(const SimulatedGame& game);
   void note_choice(sim::Tick tick, int robot, const sim::agent::Choice& choice);
 
+  /// Keeps the present moment of `game`, which was edited. Returns false if there are kEdits already.
+  bool note_edit(const SimulatedGame& game);
+
   sim::Tick first() const { return frames_[0].state.world.tick; }
 
-  /// Returns the game to a tick from first() to its present one. It plays on from a key frame before, so the decisions of
-  /// the last tick are known, except at first().
+  /// Returns the game to a tick from first() to its present one, with the edits up to there. It plays on from a key frame
+  /// before, so the decisions of the last tick are known, except at first().
   void go_to(sim::Tick tick, SimulatedGame& game) const;
 
  private:
@@ -41,7 +45,8 @@ class GamePast {
   sim::Tick interval_ = 0;  // [ticks] between two frames; doubles when the frames do not suffice
   std::size_t count_ = 0;   // frames in use
   std::vector<SimulatedGame::Moment> frames_;
-  std::vector<Followed> choices_;  // by tick, each different from the one before
+  std::vector<SimulatedGame::Moment> edits_;  // by tick
+  std::vector<Followed> choices_;             // by tick, each different from the one before
 };
 
 }  // namespace robot::bridge

@@ -44,8 +44,7 @@ void Follower::hear(const Game& game, const Beliefs& beliefs, Tick now, Mind& mi
 
 motion::Command Follower::play(const Surroundings& surroundings, const Game& game, const Beliefs& beliefs, Tick now,
                                Mind& mind, Trace* trace) const {
-  const Behaviour& played = *strategies_[static_cast<std::size_t>(mind.choice.played())];
-  return played.decide(surroundings, game, beliefs, now, mind, trace);
+  return strategy(mind.choice)->decide(surroundings, game, beliefs, now, mind, trace);
 }
 
 void take_over(const Choice& choice, Tick now, Mind& mind) {

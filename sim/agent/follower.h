@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/agent/behaviour.h"
+#include "sim/agent/choice.h"
 
 namespace sim::agent {
 
@@ -20,6 +21,11 @@ class Follower final : public Behaviour {
   const std::string& name() const override { return name_; }
   motion::Command decide(const Surroundings& surroundings, const Game& game, const Beliefs& beliefs, Tick now,
                          Mind& mind, Trace* trace) const override;
+
+  /// Returns what a robot with that choice plays.
+  const std::shared_ptr<const Behaviour>& strategy(const Choice& choice) const {
+    return strategies_[static_cast<std::size_t>(choice.played())];
+  }
 
   /// The two halves of a decision: hear() takes over the teammates' choice, play() plays it. A robot that `leads` keeps
   /// its own choice.

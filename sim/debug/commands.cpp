@@ -20,11 +20,14 @@ constexpr CommandInfo kCommands[] = {
     {"whynot", "whynot SKILL|LEAF", "the smallest change that leads there, for the robot in focus"},
     {"show", "show", "ball and robots, and how far their beliefs are off"},
     {"nodes", "nodes", "the comparisons of the tree, with their numbers"},
+    {"leaves", "leaves", "the leaves of the tree, with their arguments"},
     {"set", "set ball X Y", "[m, field] puts the ball down"},
     {"set", "set ROBOT at X Y [DEG]", "[m, field] puts a robot there"},
     {"set", "set ROBOT believes ball X Y", "[m, robot] it has just seen the ball there"},
     {"set", "set ROBOT believes at X Y [DEG]", "[m, team_field] its own pose"},
     {"set", "set threshold NODE VALUE", "of the tree of the robot in focus"},
+    {"set", "set argument NAME VALUE of SKILL|LEAF",
+     "likewise of its leaves, as in a strategy: tolerance 10 deg of kick"},
     {"set", "set luck N", "another seed from here on"},
     {"strategy", "strategy NAME", "another tree for the side of the robot in focus"},
     {"undo", "undo", "takes the last edit back, and goes to its moment"},
@@ -40,7 +43,7 @@ std::span<const CommandInfo> commands() { return kCommands; }
 std::string help_text() {
   std::string text;
   for (const CommandInfo& info : kCommands) {
-    text += robot::formatted("  %-34s %s\n", std::string(info.usage).c_str(), std::string(info.about).c_str());
+    text += robot::formatted("  %-40s %s\n", std::string(info.usage).c_str(), std::string(info.about).c_str());
   }
   return text;
 }

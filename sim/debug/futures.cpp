@@ -1,7 +1,7 @@
 #include "sim/debug/futures.h"
 
 #include <cassert>
-#include <vector>
+#include <utility>
 
 #include "robot/core/text.h"
 #include "sim/contest/series.h"
@@ -24,21 +24,33 @@ RandomKey luck_of(RandomKey own, int number) {
   return {hash.value()};
 }
 
-struct Score {
-  int scored = 0, conceded = 0;
+/// The end of one future.
+struct End {
+  int scored = 0, conceded = 0;  // goals of the side and of the other one
   std::uint64_t hash = 0;
 };
 
-Score play_on(const Moment& moment, Side side, int number, Tick length) {
+/// Plays a future. Its path is added to `paths` unless that is nullptr.
+End play_on(const Moment& moment, int robot, int number, Tick length, std::vector<FuturePath>* paths) {
   State state = moment.state;
   state.world.key = luck_of(state.world.key, number);
-  const Tick end = state.world.tick + length;
-  referee::Events events;
-  while (state.world.tick < end && !finished(state)) step(moment.setup->params, state, events);
+  const Tick begin = state.world.tick;
   const auto goals = [&](Side whose) {
     const int index = static_cast<int>(whose);
     return state.book.score[index] - moment.state.book.score[index];
   };
+  const Side side = side_of(robot);
+  FuturePath path;
+  referee::Events events;
+  for (Tick played = 0; played <= length; ++played) {
+    if (paths && played % FuturePath::kSpacing == 0 && goals(side) + goals(other(side)) == 0) {
+      path.ball.push_back(state.world.ball.position);
+      path.robot.push_back(state.world.bodies[robot].position);
+    }
+    if (state.world.tick == begin + length || finished(state)) break;
+    step(moment.setup->params, state, events);
+  }
+  if (paths) paths->push_back(std::move(path));
   return {goals(side), goals(other(side)), hash_of(state)};
 }
 
@@ -50,13 +62,13 @@ Effect effect_of(const std::vector<double>& without, const std::vector<double>& 
           gain.mean + kSigmas95 * gain.error};
 }
 
-void find_parting(const Moment& without, const Moment& with, Tick length, Futures& result) {
-  State a = without.state, b = with.state;
+void find_parting(const Pair& pair, Tick length, Futures& result) {
+  State a = pair.without.state, b = pair.with.state;
   referee::Events events;
   const Tick end = a.world.tick + length;
   while (a.world.tick < end && !finished(a) && !finished(b)) {
-    step(without.setup->params, a, events);
-    step(with.setup->params, b, events);
+    step(pair.without.setup->params, a, events);
+    step(pair.with.setup->params, b, events);
     result.field = difference(a, b);
     if (result.field.empty()) continue;
     result.parting = a.world.tick;
@@ -66,24 +78,28 @@ void find_parting(const Moment& without, const Moment& with, Tick length, Future
 
 }  // namespace
 
-Futures futures(const Moment& without, const Moment& with, Side side, int count, Tick length) {
-  assert(count >= 2 && without.state.world.tick == with.state.world.tick);
+Futures futures(const std::vector<Pair>& pairs, int robot, Tick length) {
+  assert(pairs.size() >= 2);
   Futures result;
-  result.count = count;
+  result.count = static_cast<int>(pairs.size());
+  result.begin = pairs.front().without.state.world.tick;
   std::vector<double> scores[2], concedes[2], goals[2];  // without, with
-  for (int number = 0; number < count; ++number) {
-    const Score pair[2] = {play_on(without, side, number, length), play_on(with, side, number, length)};
-    result.different += pair[0].hash != pair[1].hash;
+  for (int number = 0; number < result.count; ++number) {
+    const Pair& pair = pairs[static_cast<std::size_t>(number)];
+    const bool keeps_path = number < Futures::kPaths;
+    const End ends[2] = {play_on(pair.without, robot, number, length, keeps_path ? &result.paths_without : nullptr),
+                         play_on(pair.with, robot, number, length, keeps_path ? &result.paths_with : nullptr)};
+    result.different += ends[0].hash != ends[1].hash;
     for (const int which : {0, 1}) {
-      scores[which].push_back(pair[which].scored > 0);
-      concedes[which].push_back(pair[which].conceded > 0);
-      goals[which].push_back(pair[which].scored - pair[which].conceded);
+      scores[which].push_back(ends[which].scored > 0);
+      concedes[which].push_back(ends[which].conceded > 0);
+      goals[which].push_back(ends[which].scored - ends[which].conceded);
     }
   }
   result.scores = effect_of(scores[0], scores[1]);
   result.concedes = effect_of(concedes[0], concedes[1]);
   result.goals = effect_of(goals[0], goals[1]);
-  find_parting(without, with, length, result);
+  find_parting(pairs.front(), length, result);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/debug/setup.h"
 #include "sim/match/state.h"
@@ -16,6 +17,18 @@ struct Moment {
   State state;
 };
 
+/// The same moment without and with a change, at the same tick.
+struct Pair {
+  Moment without, with;
+};
+
+/// The path of one future until the next goal or the end. Frame: field.
+struct FuturePath {
+  static constexpr Tick kSpacing = 15;  // [ticks] between two points
+  std::vector<Vec2> ball;               // [m]
+  std::vector<Vec2> robot;              // [m] of the robot for which the futures are played
+};
+
 /// The mean of a difference in pairs, with its 95 % interval.
 struct Effect {
   double without = 0, with = 0;  // means
@@ -25,17 +38,21 @@ struct Effect {
 /// The futures of a moment with and without a change.
 struct Futures {
   int count = 0;                // pairs
+  Tick begin = 0;               // of the first pair
   int different = 0;            // pairs in which anything differs after the first tick
   Effect scores;                // share of futures in which the side scores
   Effect concedes;              // in which it concedes
   Effect goals;                 // goal difference
   std::optional<Tick> parting;  // of the pair with the game's own luck: first tick behind the moment with a difference
   std::string field;            // its first field that differs there
+  // of the first kPaths pairs:
+  std::vector<FuturePath> paths_without, paths_with;
+  static constexpr int kPaths = 12;
 };
 
-/// Plays `count` >= 2 pairs of futures of `length` [ticks]. Pair 0 has the luck of the game, each other pair a luck of
-/// its own. The goals are counted for `side`. Both moments have the same tick.
-Futures futures(const Moment& without, const Moment& with, Side side, int count, Tick length);
+/// Plays at least two pairs of futures of `length` [ticks]. Pair 0 has the luck of its game, each other pair a luck of its
+/// own. The goals are counted for the side of `robot`.
+Futures futures(const std::vector<Pair>& pairs, int robot, Tick length);
 
 /// Returns the table of three lines, and the sentence about the parting.
 std::string text_of(const Futures& futures, Tick length);

@@ -7,6 +7,7 @@
 #include "robot/core/text.h"
 #include "sim/check/event.h"
 #include "sim/debug/answers.h"
+#include "sim/debug/argument_change.h"
 #include "sim/debug/command_words.h"
 #include "sim/debug/decision.h"
 #include "sim/io/saved_moment.h"
@@ -55,6 +56,7 @@ Result<std::string> Session::run(std::string_view line) {
   if (name == "whynot") return why_not(words);
   if (name == "show") return show_text(params(), timeline_.at(now_), [&](int robot) { return name_of(robot); });
   if (name == "nodes") return nodes();
+  if (name == "leaves") return leaves_text(tree_of(params(), focus_)->tree());
   if (name == "set") return set(words);
   if (name == "strategy") return strategy(words);
   if (name == "undo") return undo();
@@ -92,7 +94,7 @@ std::vector<std::string> Session::completions(std::string_view line) const {
       add(word);
     for (int i = 0; i < check::quantity_count(); ++i) add(check::quantity(i).name);
   } else if (command == "set") {
-    for (const char* word : {"ball", "threshold", "luck", "believes", "at"}) add(word);
+    for (const char* word : {"ball", "threshold", "argument", "of", "luck", "believes", "at"}) add(word);
   }
   return all;
 }

@@ -1,6 +1,7 @@
 // The debugger as a command language: one line in, one text out. It reads no terminal and no clock.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "robot/core/result.h"
 #include "sim/debug/answers.h"
 #include "sim/debug/commands.h"
+#include "sim/debug/futures.h"
 #include "sim/debug/stop.h"
 #include "sim/debug/timeline.h"
 #include "sim/io/situation.h"
@@ -34,6 +36,9 @@ class Session {
   robot::Result<Explanation> explain(int robot);
   /// Finds what would have led that decision to a skill or a part of the tree.
   robot::Result<Alternative> alternative(const Explanation& to, const std::string& what) const;
+
+  /// Returns the moment of the last edit, without and with all edits of that moment. Nothing: there is no edit.
+  std::optional<Pair> edited();
 
   Tick now() const { return now_; }
   /// Returns the index of the robot in focus.
@@ -68,6 +73,9 @@ class Session {
   Answer set(const Words& words);
   robot::Result<void> set_of_robot(const Words& words, State& state) const;
   Answer set_threshold(const Words& words);
+  Answer set_argument(const Words& words);
+  /// Gives the side of the robot in focus another tree.
+  Answer play_tree(const State& state, agent::Tree tree, const std::string& what);
   Answer strategy(const Words& words);
   Answer undo();
   Answer run_futures(const Words& words);

@@ -1,10 +1,11 @@
 // The commands of a session that change the game, and that compare the futures with and without a change.
+#include <algorithm>
 #include <optional>
 
 #include "sim/agent/features.h"
 #include "sim/check/event.h"
+#include "sim/debug/argument_change.h"
 #include "sim/debug/command_words.h"
-#include "sim/debug/futures.h"
 #include "sim/debug/session.h"
 #include "sim/io/strategy.h"
 #include "sim/io/values.h"
@@ -30,6 +31,7 @@ std::string Session::edit(const State& state, SharedSetup setup, const std::stri
 Session::Answer Session::set(const Words& words) {
   if (words.size() < 3) return usage("set");
   if (words[1] == "threshold") return set_threshold(words);
+  if (words[1] == "argument") return set_argument(words);
   State state = timeline_.at(now_);
   if (words[1] == "ball") {
     const auto to = place_in(words, 2, params().rules.field);
@@ -105,19 +107,32 @@ Session::Answer Session::set_threshold(const Words& words) {
   return edit(timeline_.at(now_), with_tree(timeline_.setup_at(now_), focus_, std::move(changed)), condition);
 }
 
+Session::Answer Session::set_argument(const Words& words) {
+  const auto of = std::ranges::find(words, "of");
+  const auto at = of - words.begin();
+  if (of == words.end() || at < 4 || of + 1 == words.end()) return usage("set");
+  const std::string value = rest_of({words.begin(), of}, 3), where = rest_of(words, static_cast<std::size_t>(at + 1));
+  auto changed = with_argument(tree_of(params(), focus_)->tree(), where, words[2], value);
+  if (!changed) return Error{"set argument: " + changed.error()};
+  return play_tree(timeline_.at(now_), *std::move(changed), words[2] + " " + value + " of " + where);
+}
+
+Session::Answer Session::play_tree(const State& state, agent::Tree tree, const std::string& what) {
+  const Team& team = params().teams[static_cast<int>(side_of(focus_))];
+  if (const auto kicks = io::check_kicks(tree, team); !kicks) return kicks.failure();
+  return edit(state, with_tree(timeline_.setup_at(now_), focus_, std::move(tree)), what);
+}
+
 Session::Answer Session::strategy(const Words& words) {
   if (words.size() != 2) return usage("strategy");
   auto behaviour = io::load_strategy(words[1]);
   if (!behaviour) return behaviour.failure();
-  agent::Tree tree = (*behaviour)->tree();
-  const Team& team = params().teams[static_cast<int>(side_of(focus_))];
-  if (const auto kicks = io::check_kicks(tree, team); !kicks) return kicks.failure();
   State state = timeline_.at(now_);
   // a leaf of the old tree means nothing in the new one
   for_each_robot(state.world.players, [&](int robot) {
     if (tree_of(params(), robot) == tree_of(params(), focus_)) state.robots[robot].mind.leaf = agent::kNoLeaf;
   });
-  return edit(state, with_tree(timeline_.setup_at(now_), focus_, std::move(tree)), "plays " + words[1]);
+  return play_tree(state, (*behaviour)->tree(), "plays " + words[1]);
 }
 
 Session::Answer Session::undo() {
@@ -136,16 +151,22 @@ Session::Answer Session::run_futures(const Words& words) {
   const auto seconds = words.size() > 2 ? number_in<float>(words[2]) : std::optional(30.f);
   if (!seconds || !(*seconds >= 1 && *seconds <= 1200))
     return Error{"futures: expected 1 .. 1200 [s], got '" + words[2] + "'"};
-  if (edits_.empty()) return Error{"futures compares with and without an edit, and there is none"};
+  const auto pair = edited();
+  if (!pair) return Error{"futures compares with and without an edit, and there is none"};
+  const Tick length = ticks(*seconds);
+  const std::vector<Pair> pairs(static_cast<std::size_t>(*count), *pair);
+  return "for " + name_of(focus_) + "'s side\n" + text_of(debug::futures(pairs, focus_, length), length);
+}
+
+std::optional<Pair> Session::edited() {
+  if (edits_.empty()) return {};
   // all edits at the moment of the last one count together
   const Tick tick = edits_.back().tick;
   auto first = edits_.end() - 1;
   while (first != edits_.begin() && (first - 1)->tick == tick) --first;
   Timeline before = first->before;
-  const Moment without{before.setup_at(tick), before.at(tick)}, with{timeline_.setup_at(tick), timeline_.at(tick)};
-  const Tick length = ticks(*seconds);
-  return "for " + name_of(focus_) + "'s side\n" +
-         text_of(debug::futures(without, with, side_of(focus_), *count, length), length);
+  return Pair{.without = {before.setup_at(tick), before.at(tick)},
+              .with = {timeline_.setup_at(tick), timeline_.at(tick)}};
 }
 
 }  // namespace sim::debug

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "sim/agent/follower.h"
 #include "sim/agent/mixed.h"
 #include "sim/guest/guest.h"
 #include "sim/io/strategy.h"
@@ -38,6 +39,20 @@ Result<SharedSetup> prepare(const contest::LineupChoice& choice) {
     const agent::Behaviour& others = *setup->behaviours.back();
     setup->behaviours.push_back(std::make_shared<agent::Mixed>(*played, choice.changed, others));
     setup->params.teams[side].behaviour = setup->behaviours.back().get();
+  }
+  return SharedSetup(std::move(setup));
+}
+
+Result<SharedSetup> rest_of_game(const io::PreparedGame& game, const State& state) {
+  auto setup = std::make_shared<Setup>();
+  setup->params = game.params;
+  for (const int side : {0, 1}) {
+    std::shared_ptr<const agent::Behaviour> played = game.behaviours[side];
+    if (const auto* follower = dynamic_cast<const agent::Follower*>(played.get()))
+      played = follower->strategy(state.robots[robot_of(static_cast<Side>(side), 1)].mind.choice);
+    if (!dynamic_cast<const agent::TreeBehaviour*>(played.get())) return no_tree(played->name());
+    setup->params.teams[side].behaviour = played.get();
+    setup->behaviours.push_back(std::move(played));
   }
   return SharedSetup(std::move(setup));
 }

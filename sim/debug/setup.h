@@ -7,7 +7,9 @@
 #include "robot/core/result.h"
 #include "sim/agent/tree.h"
 #include "sim/contest/lineup.h"
+#include "sim/io/matchup.h"
 #include "sim/match/params.h"
+#include "sim/match/state.h"
 
 namespace sim::debug {
 
@@ -21,6 +23,10 @@ using SharedSetup = std::shared_ptr<const Setup>;
 /// Prepares a game of decision trees. Refuses behaviours from outside and playbooks: they have no comparisons, and they
 /// keep a memory that no State holds.
 robot::Result<SharedSetup> prepare(const contest::LineupChoice& choice);
+
+/// Prepares the rest of a game that is already played. A side that follows its captain keeps the strategy of `state`.
+/// Refuses what prepare() refuses.
+robot::Result<SharedSetup> rest_of_game(const io::PreparedGame& game, const State& state);
 
 /// Returns the tree that a robot plays, or nullptr if its behaviour is not a tree.
 const agent::TreeBehaviour* tree_of(const Params& params, int robot);

@@ -63,7 +63,10 @@ Result<float> named_kick(std::string_view name, const Expected& expected) {
 }  // namespace
 
 std::string value_text(float value, const Expected& expected) {
-  if (expected.names) return expected.names[static_cast<int>(value)];
+  if (expected.names) {
+    const auto place = static_cast<std::size_t>(value), words = names_in(expected.names).size();
+    return place < words || !expected.kicks ? expected.names[place] : expected.kicks->names[place - words];
+  }
   return short_text(value) + (*expected.unit ? " " + std::string(expected.unit) : "");
 }
 

@@ -305,6 +305,7 @@ test("a service that refuses gives a normal answer with an error; an unknown ser
       "/decision/why",
       "/decision/why_not",
       "/decision/situation",
+      "/decision/futures",
       "message_beside",
       "watch_session",
     ],

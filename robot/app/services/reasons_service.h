@@ -25,11 +25,8 @@ struct ReasonsOptions {
 /// sim/report/reasons.h. "agrees" is false if the robot reached another leaf: the memory of a behaviour is not recorded.
 /// "situation" is the text of robot/foresight/believed_situation.h: what the robot believed, as a start of simulated games.
 ///
-/// Without more they explain the newest decision in memory. A client that shows another moment sends its objects:
-///
-///   "at_ns": "1700000000000000000"  capture time of the decision
-///   "objects": {"ball": {"capture_ns": "…", "data": "base64"}, …}  newest messages of the robot at that time, by name;
-///              "truth" is /truth/world
+/// Without more they explain the newest decision in memory. A client that shows another moment sends its objects
+/// (robot/app/asked_moment.h).
 ///
 /// They only compute, and change nothing. In a program that was linked without them (robot_no_reasons), none is added.
 void add_reasons_service(net::Services& services, const memory::Channels& channels, const ReasonsOptions& options);

@@ -215,6 +215,39 @@ Result<void> SimBody::back(std::int64_t ticks) {
   return {};
 }
 
+Result<sim::State> SimBody::state_at(std::optional<std::uint64_t> seed, std::optional<sim::Tick> tick) const {
+  std::optional<bridge::SimulatedGame> game;
+  {
+    const std::lock_guard guard(lock_);
+    const std::uint64_t played = game_.state().world.key.seed;
+    if (seed.value_or(played) != played)
+      return Error{"simulation: that moment is of the game with seed " + std::to_string(*seed) + ", and now seed " +
+                   std::to_string(played) + " is played"};
+    const sim::Tick now = game_.state().world.tick, wanted = tick.value_or(now);
+    if (wanted < past_.first() || wanted > now)
+      return Error{"simulation: 'tick' must be " + std::to_string(past_.first()) + " .. " + std::to_string(now) +
+                   ", got " + std::to_string(wanted)};
+    game.emplace(game_);
+    if (wanted != now) past_.go_to(wanted, *game);
+  }
+  return game->state();
+}
+
+Result<void> SimBody::edit(const sim::State& state) {
+  const std::lock_guard guard(lock_);
+  if (game_.finished()) return Error{kOver};
+  if (state.world.tick != game_.state().world.tick) return Error{"simulation: the game has moved on: pause it first"};
+  bridge::SimulatedGame edited = game_;
+  edited.change([&](sim::State& now) { now = state; });
+  if (!past_.note_edit(edited))
+    return Error{"simulation: a game takes " + std::to_string(bridge::GamePast::kEdits) + " edits at most"};
+  game_.change([&](sim::State& now) { now = state; });
+  paused_ = true;
+  narrator_.forget();
+  go_on();
+  return {};
+}
+
 Result<void> SimBody::set_speed(double speed) {
   if (Result<void> checked = check_speed(speed); !checked) return checked;
   const std::lock_guard guard(lock_);

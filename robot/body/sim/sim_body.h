@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "proto/foresight/sim.pb.h"
@@ -74,6 +75,15 @@ class SimBody {
   static constexpr std::int64_t kMostBack = 1'000'000;
 
   Result<void> set_speed(double speed);
+
+  /// Returns the present game at one of its ticks, by default now. Returns an Error if the game of `seed` is no longer
+  /// played, or for a tick that it has not reached or no longer keeps.
+  Result<sim::State> state_at(std::optional<std::uint64_t> seed, std::optional<sim::Tick> tick) const;
+
+  /// Pauses and replaces the state of the present moment. `state` is of the present tick. The past stays, and going back
+  /// and forward again beyond this moment undoes the edit. Returns an Error if the game has moved on, or has been edited
+  /// too often.
+  Result<void> edit(const sim::State& state);
 
   /// Starts another game of the same teams, from its beginning or from a situation. It runs unless paused.
   Result<void> reset(std::uint64_t seed);

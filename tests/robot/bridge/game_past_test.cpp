@@ -30,6 +30,12 @@ class PastGame {
     }
   }
   void go_to(sim::Tick tick) { past_.go_to(tick, *game_); }
+  /// Puts the ball elsewhere. Returns whether the edit was kept.
+  bool edit(sim::Vec2 ball) {
+    game_->change([&](sim::State& state) { state.world.ball.position = ball; });
+    hashes_[now()] = hash_now();
+    return past_.note_edit(*game_);
+  }
 
   sim::Tick now() const { return game_->state().world.tick; }
   std::uint64_t hash_now() const { return sim::hash_of(game_->state()); }
@@ -82,6 +88,59 @@ TEST(GamePast, AnotherFutureReplacesTheOldOne) {
   game.play(700);
   game.go_to(900);
   EXPECT_EQ(game.hash_now(), game.hash_at(900));
+}
+
+TEST(GamePast, AnEditComesAgain) {
+  PastGame game;
+  game.play(1000);
+  // with and without a key frame at that tick, and at the beginning
+  for (const sim::Tick tick : {800, 803, 0}) {
+    game.go_to(tick);
+    ASSERT_TRUE(game.edit({1, 0.5f}));
+    game.play(2000);
+    for (const sim::Tick later : {tick, tick + 1, tick + 5, tick + 900}) {
+      game.go_to(later);
+      EXPECT_EQ(game.hash_now(), game.hash_at(later)) << tick << ", " << later;
+    }
+    game.go_to(tick + 2000);
+  }
+}
+
+TEST(GamePast, SeveralEditsComeAgainAlsoWhenFramesAreThinnedOut) {
+  PastGame game;
+  for (int i = 0; i < 6; ++i) {
+    game.play(1501);
+    ASSERT_TRUE(game.edit({0.1f * static_cast<float>(i), 0.5f}));
+  }
+  game.play(100);
+  for (sim::Tick tick = 9100; tick > 700; tick -= 599) {
+    game.go_to(tick);
+    EXPECT_EQ(game.hash_now(), game.hash_at(tick)) << tick;
+  }
+}
+
+TEST(GamePast, AnEditIsUndoneBehindIt) {
+  PastGame game;
+  game.play(1000);
+  const std::uint64_t unedited = game.hash_at(900);
+  game.go_to(800);
+  ASSERT_TRUE(game.edit({1, 0.5f}));
+  game.play(100);
+  EXPECT_NE(game.hash_now(), unedited);
+  game.go_to(799);
+  game.play(101);
+  EXPECT_EQ(game.hash_now(), unedited);
+}
+
+TEST(GamePast, EditsOfOneTickReplaceEachOtherAndThereIsAMost) {
+  PastGame game;
+  for (std::size_t i = 0; i < GamePast::kEdits; ++i) {
+    game.play(1);
+    ASSERT_TRUE(game.edit({1, 0.5f}));
+    ASSERT_TRUE(game.edit({0.5f, 1}));
+  }
+  game.play(1);
+  EXPECT_FALSE(game.edit({1, 1}));
 }
 
 }  // namespace

@@ -88,6 +88,25 @@ TEST_F(SessionTest, EditsPlacesBeliefsThresholdsLuckAndTrees) {
   EXPECT_NE(run("nodes").find("ball_goal_distance > 2 m"), std::string::npos);
 }
 
+TEST_F(SessionTest, ArgumentsOfLeavesAreChanged) {
+  run("goto 40"), run("robot 14/2");
+  EXPECT_NE(run("leaves").find("tolerance 15 deg"), std::string::npos) << run("leaves");
+  EXPECT_EQ(run("set argument tolerance 20 deg of shoot"), "tolerance 20 deg of shoot\n");
+  EXPECT_EQ(run("leaves").find("tolerance 15 deg"), std::string::npos) << "all leaves of that part are changed";
+  EXPECT_NE(run("leaves").find("tolerance 45 deg"), std::string::npos) << "and no others";
+  run("set argument kick side of set play");
+  EXPECT_NE(run("leaves").find("kick side"), std::string::npos) << run("leaves");
+  run("undo"), run("undo");
+  EXPECT_NE(run("leaves").find("tolerance 15 deg"), std::string::npos);
+  EXPECT_EQ(error("set argument tolerance 20 deg").substr(0, 23), "expected: set ball X Y,");
+  EXPECT_EQ(error("set argument tolerance 20 deg of").substr(0, 23), "expected: set ball X Y,");
+  EXPECT_EQ(error("set argument tolerance 20 m of kick"),
+            "set argument: the argument 'tolerance' must be in rad, got \"20 m\"");
+  EXPECT_EQ(error("set argument aim goal of search_ball").substr(0, 50),
+            "set argument: no leaf of 'search_ball' takes 'aim'");
+  EXPECT_NE(error("set argument kick sdie of kick").find("no kick"), std::string::npos);
+}
+
 TEST_F(SessionTest, ExplainsAndAsksWhyNot) {
   run("until our touch"), run("robot 14/2");
   const std::string why = run("why");

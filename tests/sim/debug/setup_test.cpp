@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/agent/follower.h"
+#include "sim/io/strategy.h"
 #include "tests/sim/debug/played.h"
 
 namespace sim::debug {
@@ -15,6 +17,23 @@ TEST(Setup, RefusesBehavioursWithoutComparisons) {
   EXPECT_EQ(piped.error(), "'pipe:python3 soccer.py' is no decision tree, and the debugger needs one");
   choice.game.strategies[1] = "baselin";
   EXPECT_FALSE(prepare(choice));
+}
+
+TEST(Setup, TheRestOfAGameKeepsTheStrategyThatItsCaptainChose) {
+  auto game = io::prepare({});
+  ASSERT_TRUE(game) << game.error();
+  std::vector<std::shared_ptr<const agent::Behaviour>> strategies;
+  for (const char* name : {"baseline", "passing"}) strategies.emplace_back(*io::load_strategy(name));
+  game->behaviours[1] = std::make_shared<agent::Follower>("follows", strategies, 100);
+  game->params.teams[1].behaviour = game->behaviours[1].get();
+  State state{};
+  const auto played = [&] {
+    const auto setup = rest_of_game(*game, state);
+    return tree_of((*setup)->params, robot_of(Side::away, 2))->tree().name;
+  };
+  EXPECT_EQ(played(), "baseline");
+  state.robots[robot_of(Side::away, 1)].mind.choice = {.strategy = 1, .epoch = 3};
+  EXPECT_EQ(played(), "passing");
 }
 
 TEST(Setup, KnowsTheTreeOfEachRobotAlsoOfATeamOfTwo) {

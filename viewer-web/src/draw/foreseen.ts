@@ -46,6 +46,8 @@ export interface Foreseen {
   /** Of one strategy. */
   heat: Heat | undefined;
   paths: Path[];
+  /** Futures with a change, beside `paths` without it. */
+  changed?: Path[];
   /** [s] after the start of the rollouts. */
   at: number;
   /** The thing that is dragged or under the pointer. */
@@ -57,13 +59,14 @@ export interface Foreseen {
 export function drawForeseen(
   pen: Pen,
   camera: Camera,
-  { field, liveries, believed, edit, heat, paths, at, held, stale }: Foreseen,
+  { field, liveries, believed, edit, heat, paths, changed = [], at, held, stale }: Foreseen,
 ): void {
   const strength = stale ? 0.3 : 1;
   const now = edited(believed, edit);
   drawField(pen, camera, field);
   if (heat) drawHeat(pen, camera, field, heat, strength);
   drawPaths(pen, camera, paths, { strength, colour: liveries.own.colour, at });
+  drawPaths(pen, camera, changed, { strength, colour: kEditColour, ball: kEditColour, at });
   // a moving thing leaves a shadow at its start
   drawSituation(pen, camera, { believed, now, edit, liveries }, at > 0 ? 0.35 : 1);
   if (held) drawHandle(pen, camera, now, held);

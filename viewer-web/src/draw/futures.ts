@@ -27,20 +27,20 @@ export const lengthOf = (paths: Path[]): number =>
 const plainPart = (at: number): [number, number] => (at > 0 ? [Math.max(0, at - kPlain), at] : [0, kPlain]);
 
 /**
- * Draws the part before `at` [s] in full and the rest faintly; with `at` 0, the beginning in full. Robots in `colour`.
+ * Draws the part before `at` [s] in full and the rest faintly; with `at` 0, the beginning in full. Robots in `colour`, the ball in `ball`.
  */
 export function drawPaths(
   pen: Pen,
   camera: Camera,
   paths: Path[],
-  { strength, colour, at = 0 }: { strength: number; colour: string; at?: number },
+  { strength, colour, ball = kBright, at = 0 }: { strength: number; colour: string; ball?: string; at?: number },
 ): void {
   for (const path of paths) {
     for (const { points } of path.robots)
       drawTrack(pen, camera, points, path.spacing, at, { colour, width: 1.5, alpha: 0.75 * strength });
     drawTrack(pen, camera, path.ball, path.spacing, at, { colour: kInk, width: 5, alpha: 0.55 * strength });
-    drawTrack(pen, camera, path.ball, path.spacing, at, { colour: kBright, width: 3, alpha: 0.95 * strength });
-    drawTicks(pen, camera, path, at, strength);
+    drawTrack(pen, camera, path.ball, path.spacing, at, { colour: ball, width: 3, alpha: 0.95 * strength });
+    drawTicks(pen, camera, path, at, { colour: ball, strength });
   }
   pen.globalAlpha = 1;
 }
@@ -72,7 +72,13 @@ function drawTrack(
   part(to, spacing * points.length, kFaint * alpha);
 }
 
-function drawTicks(pen: Pen, camera: Camera, { ball, spacing }: Path, at: number, strength: number): void {
+function drawTicks(
+  pen: Pen,
+  camera: Camera,
+  { ball, spacing }: Path,
+  at: number,
+  { colour, strength }: { colour: string; strength: number },
+): void {
   const length = spacing * (ball.length - 1);
   const [from, to] = plainPart(at);
   const strengthAt = (time: number) => (time >= from && time <= to ? 1 : kFaint) * strength;
@@ -80,13 +86,13 @@ function drawTicks(pen: Pen, camera: Camera, { ball, spacing }: Path, at: number
     const place = placeAt(ball, spacing, time)!;
     pen.globalAlpha = strengthAt(time);
     fillCircle(pen, camera, place, 4.5 / camera.scale, kInk);
-    fillCircle(pen, camera, place, 3 / camera.scale, kBright);
+    fillCircle(pen, camera, place, 3 / camera.scale, colour);
   }
   const end = ball.at(-1);
   if (!end || length <= 0) return;
   // the end's mark differs from a tick by its shape
   pen.globalAlpha = strengthAt(length);
-  pen.strokeStyle = kBright;
+  pen.strokeStyle = colour;
   pen.lineWidth = 2;
   strokeCross(pen, camera, end, 5 / camera.scale);
 }

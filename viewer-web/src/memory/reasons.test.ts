@@ -122,7 +122,7 @@ test("an alternative tells features, thresholds and beliefs", () => {
     kind: "changed",
     leaf: "mine/far",
     features: [{ name: "ball_distance", before: "0.4 m", text: "at least 0.5 m" }],
-    thresholds: [{ condition: "ball_distance < 0.5", before: "0.5 m", after: "0.4 m" }],
+    thresholds: [{ node: 7, condition: "ball_distance < 0.5", before: "0.5 m", after: "0.4 m" }],
     beliefs: ["ball 0.1 m farther"],
   });
 });

@@ -124,7 +124,7 @@ export interface Alternative {
   kind: "reached" | "changed" | "unreachable" | "unsure";
   leaf: string | undefined;
   features: { name: string; before: string; text: string }[];
-  thresholds: { condition: string; before: string; after: string }[] | undefined;
+  thresholds: { node: number; condition: string; before: string; after: string }[] | undefined;
   beliefs: string[] | undefined;
 }
 
@@ -204,6 +204,7 @@ export function alternativeOf(answer: Json): Alternative {
     })),
     thresholds: Array.isArray(told["thresholds"])
       ? listOf(told["thresholds"]).map((one) => ({
+          node: count(one["node"]),
           condition: text(one["condition"]),
           before: text(one["before"]),
           after: text(one["after"]),

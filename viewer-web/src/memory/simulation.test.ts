@@ -27,6 +27,7 @@ test("a simulation reports its state, and without one the state is undefined", (
     finished: false,
     speed: 0.5,
     seed: 7,
+    tick: 45,
     seconds: 1.5,
     rules: "spl2012",
     home: { number: 14, strategy: "baseline", score: 2 },

@@ -19,7 +19,9 @@ export interface Simulation {
   /** [game seconds per second] */
   speed: number;
   seed: number;
-  /** [s] of game time since the beginning. */
+  /** [1/30 s] of game time since the beginning. */
+  tick: number;
+  /** [s] likewise. */
   seconds: number;
   rules: string;
   home: SimulatedTeam;
@@ -35,6 +37,7 @@ export function simulationOf(memory: Memory): Simulation | undefined {
       finished: fields.get("finished") === true,
       speed: numberOf(fields, "speed"),
       seed: numberOf(fields, "seed"),
+      tick: numberOf(fields, "tick"),
       seconds: numberOf(fields, "tick") / 30,
       rules: textOf(fields, "rules"),
       home: teamOf(fieldsOf(fields, "home")),
