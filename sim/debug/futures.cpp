@@ -45,7 +45,10 @@ End play_on(const Moment& moment, int robot, int number, Tick length, std::vecto
   for (Tick played = 0; played <= length; ++played) {
     if (paths && played % FuturePath::kSpacing == 0 && goals(side) + goals(other(side)) == 0) {
       path.ball.push_back(state.world.ball.position);
-      path.robot.push_back(state.world.bodies[robot].position);
+      // one that is sent off stays where it was
+      const Body& body = state.world.bodies[robot];
+      const bool is_gone = body.doing == Body::Doing::removed && !path.robot.empty();
+      path.robot.push_back(is_gone ? path.robot.back() : body.position);
     }
     if (state.world.tick == begin + length || finished(state)) break;
     step(moment.setup->params, state, events);

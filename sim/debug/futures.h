@@ -26,7 +26,7 @@ struct Pair {
 struct FuturePath {
   static constexpr Tick kSpacing = 15;  // [ticks] between two points
   std::vector<Vec2> ball;               // [m]
-  std::vector<Vec2> robot;              // [m] of the robot for which the futures are played
+  std::vector<Vec2> robot;              // [m] of the robot for which the futures are played, until it is sent off
 };
 
 /// The mean of a difference in pairs, with its 95 % interval.

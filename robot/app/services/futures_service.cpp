@@ -196,9 +196,12 @@ class Futures {
 
  private:
   std::vector<std::string> strategies() const {
-    std::vector<std::string> all = options_.strategies;
-    for (const std::string_view name : sim::io::names_of("strategies"))
+    std::vector<std::string> all;
+    const auto add = [&](std::string_view name) {
       if (std::ranges::find(all, name) == all.end()) all.emplace_back(name);
+    };
+    for (const std::string& name : options_.strategies) add(name);
+    for (const std::string_view name : sim::io::names_of("strategies")) add(name);
     return all;
   }
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { changeableOf, isOfTree, linesOf } from "./change";
+import { changeableOf, isOfTree, linesOf, moveIn } from "./change";
 import { kNoEdit, moved } from "./question";
 
 const kAnswer = {
@@ -74,6 +74,15 @@ test("moves become lines in the frame of the game", () => {
     "set ball 1 0",
     "set 5/3 at -2 -1 0",
   ]);
+});
+
+test("a typed move is a move", () => {
+  const moment = changeableOf(kAnswer);
+  expect(moveIn("set ball -1 0.25", moment)).toEqual({ thing: "ball", to: { x: 1, y: -0.25, heading: 0 } });
+  expect(moveIn(" set 5/3  at 1 0 ", moment)).toEqual({ thing: "own 3", to: { x: -1, y: 0, heading: 0 } });
+  expect(moveIn("set 14/2 at 1 0 180", moment)).toEqual({ thing: "opponent 2", to: { x: -1, y: 0, heading: 0 } });
+  for (const other of ["set ball 1", "set ball 1 2 3", "set 14/3 at 0 0", "set 5/3 believes at 0 0", "strategy set"])
+    expect(moveIn(other, moment)).toBeUndefined();
 });
 
 test("lines that change a tree are told apart", () => {

@@ -1,7 +1,7 @@
 // The debugger's services: a moment with and without a change, and the futures of both.
 
 import type { Body, Path, Place, Side, Situation } from "./forecast";
-import { bodyOf, movedIn, turned, type Edit, type Standing } from "./question";
+import { bodyOf, movedIn, thingOf, turned, type Edit, type Standing, type Thing } from "./question";
 
 export const kFutures = "/decision/futures";
 export const kEditGame = "/sim/edit";
@@ -151,6 +151,25 @@ export function linesOf(edit: Edit, { teams, attacks }: Pick<ChangeableMoment, "
     const heading = degrees(to.heading + (attacks < 0 ? Math.PI : 0));
     return [`set ${teams[body.side]}/${body.player} at ${at(to)} ${heading}`];
   });
+}
+
+const kMove = /^\s*set\s+(ball|(\d+)\/(\d+)\s+at)\s+(-?[\d.]+)\s+(-?[\d.]+)(?:\s+(-?[\d.]+))?\s*$/;
+
+/** Reads a line that moves a thing of the moment. Undefined for another line. */
+export function moveIn(
+  line: string,
+  { teams, attacks, places }: Pick<ChangeableMoment, "teams" | "attacks" | "places">,
+): { thing: Thing; to: Standing } | undefined {
+  const found = kMove.exec(line);
+  if (!found) return undefined;
+  const [, what, team, player, x, y, angle] = found;
+  const at: Place = { x: attacks * Number(x) + 0, y: attacks * Number(y) + 0 };
+  if (what === "ball") return angle === undefined ? { thing: "ball", to: { ...at, heading: 0 } } : undefined;
+  const body = places.bodies.find((one) => teams[one.side] === Number(team) && one.player === Number(player));
+  if (!body) return undefined;
+  const turn = attacks < 0 ? Math.PI : 0;
+  const heading = angle === undefined ? body.heading : turned((Number(angle) * Math.PI) / 180 + turn) + 0;
+  return { thing: thingOf(body), to: { ...at, heading } };
 }
 
 /** Whether a line changes a tree. A running game keeps its trees. */

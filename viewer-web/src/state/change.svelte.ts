@@ -1,6 +1,6 @@
 // A change of the shown moment, made by a person: the edits, and the futures without and with them.
 
-import { changeableOf, isOfTree, kEditGame, kFutures, linesOf, type ChangeableMoment } from "../memory/change";
+import { changeableOf, isOfTree, kEditGame, kFutures, linesOf, moveIn, type ChangeableMoment } from "../memory/change";
 import type { Situation } from "../memory/forecast";
 import { isEdited, kNoEdit, moved, putBack, type Edit, type Standing, type Thing } from "../memory/question";
 import { knownThen, requestOf } from "../memory/reasons";
@@ -79,10 +79,11 @@ export class Change {
 
   /** Adds a line, if the server accepts it. Returns whether it did. */
   async add(line: string): Promise<boolean> {
-    const lines = [...this.lines, line.trim()];
-    const accepted = this.moment && (await this.#ask([...linesOf(this.edit, this.moment), ...lines], 0));
-    if (accepted) this.lines = lines;
-    return accepted !== undefined;
+    if (!this.moment || !(await this.#ask([...this.edits, line], 0))) return false;
+    const move = moveIn(line, this.moment);
+    if (move) this.move(move.thing, move.to);
+    else if (!this.lines.includes(line.trim())) this.lines = [...this.lines, line.trim()];
+    return true;
   }
   remove(line: string): void {
     this.lines = this.lines.filter((one) => one !== line);
