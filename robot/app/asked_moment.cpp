@@ -1,6 +1,5 @@
 #include "robot/app/asked_moment.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -69,11 +68,10 @@ Result<AskedMoment> newest_moment(const memory::Channels& channels, std::string 
   if (!decision) return Error{"robot '" + printable(robot, 40) + "' has not decided anything"};
   // memory keeps only the newest value of each object: that of the game must be of the same moment
   const auto game = bridge::newest<pb::GameState>(channels, "/" + robot + "/game");
-  const std::uint64_t now_ns = std::max(decision->capture_ns, game ? game->capture_ns : 0);
-  if (now_ns - decision->capture_ns > kSameMomentNs)
+  if (game && game->capture_ns > decision->capture_ns + kSameMomentNs)
     return Error{"robot '" + printable(robot, 40) +
                  "' decides nothing now: its newest decision is older than its game"};
-  AskedMoment moment{.robot = robot, .objects = bridge::recollect(channels, robot, now_ns), .truth = {}};
+  AskedMoment moment{.robot = robot, .objects = bridge::recollect(channels, robot, decision->capture_ns), .truth = {}};
   if (auto truth = bridge::newest<pb::GroundTruth>(channels, bridge::kTruthTopic))
     moment.truth = std::move(truth->value);
   return moment;

@@ -101,7 +101,7 @@ test("in the workspace Debug a person changes the moment, sees both futures, and
   await panel.getByRole("button", { name: "Play on with it" }).click();
   await panel.getByText("The game was changed, and waits.").waitFor();
   const { paused, tick } = await live.call("/sim/state");
-  assert.deepEqual([paused, tick], [true, before.tick]);
+  assert.deepEqual([paused, tick], [true, before.tick - 1], "where the shown decision was made");
   await until(async () => {
     const { ball } = live.decoded("/truth/world", await live.newest("/truth/world"));
     return Math.hypot(ball.x - 1, ball.y - 1) < 0.15 || Math.hypot(ball.x + 1, ball.y + 1) < 0.15;

@@ -5,9 +5,9 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { open, shoot, shootEach } from "./browser.mjs";
-import { decode } from "./live.mjs";
+import { decode, Live } from "./live.mjs";
 import { readStreamed } from "./mcap.mjs";
-import { play, run, temporaryFolder, until } from "./support.mjs";
+import { play, run, start, temporaryFolder, until } from "./support.mjs";
 
 const kShort = ["--rules", "spl2025:5,halves=1,half_duration=60"];
 const kWide = { width: 1600, height: 950 };
@@ -139,5 +139,28 @@ test("what a robot believed at the shown decision is saved, and games begin ther
   for (const robot of moment.robots) assert.ok(robot.deviation >= 0, JSON.stringify(robot));
   const games = await done("foresight-sim", "match", "--from", path, ...kShort, "--fuzz", "--games", "3", "--json");
   assert.ok(JSON.parse(games));
+  assert.deepEqual(problems, []);
+});
+
+test("a breakpoint stops a simulated game too, at the tick of the match", async (t) => {
+  const game = ["--body", "sim", "--player", "2", "--seed", "7"];
+  const server = await start(t, temporaryFolder(t), "foresight-robot", ...game);
+  const live = await Live.open(t, server);
+  await live.subscribe("/14/2/decision");
+  await live.call("/sim/step", { ticks: 1800 });
+  const { page, problems } = await open(t, `${server.http}/#/14/2/debug?breaks=decision.skill+%3D%3D+walk_to_ball`, {
+    viewport: kWide,
+  });
+  await page.getByRole("status", { name: "Why" }).waitFor();
+  const begun = (await live.call("/sim/resume")).tick;
+  await until(async () => (await live.call("/sim/state")).paused, "the game to be paused");
+  await page.getByText("game paused").waitFor();
+  const skill = async () => live.decoded("/14/2/decision", await live.newest("/14/2/decision")).skill;
+  await until(async () => (await skill()) === "walk_to_ball", "the game to go back to the match");
+  // the game stands at the begin of the match: a decision before it was another one
+  const { tick } = await live.call("/sim/state");
+  assert.ok(tick >= begun, `${tick}, begun at ${begun}`);
+  await live.call("/sim/back", { ticks: 1 });
+  await until(async () => (await skill()) !== "walk_to_ball", "another skill before");
   assert.deepEqual(problems, []);
 });

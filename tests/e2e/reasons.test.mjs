@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
+import { isDeepStrictEqual } from "node:util";
 import { open, shoot, shootEach } from "./browser.mjs";
 import { Live } from "./live.mjs";
 import { sessionsOf, start, temporaryFolder, until } from "./support.mjs";
@@ -104,7 +105,7 @@ test("wrong requests get one sentence", async (t) => {
 });
 
 test("the workspace Debug draws the tree, explains each decision, answers why not, and goes back", async (t) => {
-  const { server, live } = await pausedInPlay(t, []);
+  const { server, live } = await pausedInPlay(t, ["/14/2/decision"]);
   const { page, problems } = await open(t, `${server.http}/#/14/2/field`, { viewport: kWide });
   await page.keyboard.press("D");
   const debug = page.getByRole("region", { name: "Debug", exact: true });
@@ -140,7 +141,9 @@ test("the workspace Debug draws the tree, explains each decision, answers why no
   await answer.getByRole("button", { name: "Close the answer" }).click();
   await answer.waitFor({ state: "detached" });
 
-  // back by a decision and on again: the same decision, by the same reasons
+  // back by a decision and on again: the same decision
+  const decision = async () => live.decoded("/14/2/decision", await live.newest("/14/2/decision"));
+  const decided = await decision();
   const place = async () => (await live.call("/sim/state")).tick;
   const before = await place();
   await debug.getByRole("button", { name: "−1 s" }).click();
@@ -148,7 +151,8 @@ test("the workspace Debug draws the tree, explains each decision, answers why no
   await debug.getByRole("button", { name: "Back", exact: true }).click();
   await until(async () => (await place()) === before - 31, "a decision back");
   await live.call("/sim/step", { ticks: 31 });
-  await sentence.filter({ hasText: reasons.sentence }).waitFor();
+  await until(async () => isDeepStrictEqual(await decision(), decided), "the same decision");
+  await sentence.filter({ hasText: `14/2 plays ${reasons.skill} because ` }).waitFor();
   assert.deepEqual(problems, []);
 });
 

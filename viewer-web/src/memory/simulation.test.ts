@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Memory } from "./memory";
-import { simulationOf } from "./simulation";
+import { simulationOf, tickAt } from "./simulation";
 
 test("a simulation reports its state, and without one the state is undefined", () => {
   const team = (number: number, score: number) =>
@@ -34,4 +34,13 @@ test("a simulation reports its state, and without one the state is undefined", (
     away: { number: 5, strategy: "baseline", score: 1 },
   });
   expect(simulationOf({ world: () => undefined } as unknown as Memory)).toBeUndefined();
+});
+
+test("the tick at a time is that of the newest state then", () => {
+  const history = { at: (at_ns: bigint) => (at_ns < 5n ? undefined : { data: new Uint8Array([Number(at_ns)]) }) };
+  const decode = (data: Uint8Array) => ({ fields: new Map([["tick", 100 + data[0]!]]) });
+  const memory = { world: () => ({ history, decode }) } as unknown as Memory;
+  expect(tickAt(memory, 7n)).toBe(107);
+  expect(tickAt(memory, 3n)).toBeUndefined();
+  expect(tickAt({ world: () => undefined } as unknown as Memory, 7n)).toBeUndefined();
 });

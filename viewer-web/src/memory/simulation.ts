@@ -46,6 +46,14 @@ export function simulationOf(memory: Memory): Simulation | undefined {
   );
 }
 
+/** Returns the tick of the game at a capture time, or undefined if that is not kept. */
+export function tickAt(memory: Memory, at_ns: bigint): number | undefined {
+  const state = memory.world(kSimulation);
+  const message = state?.history.at(at_ns);
+  const fields = message && state?.decode(message.data).fields;
+  return fields && numberOf(fields, "tick");
+}
+
 const teamOf = (fields: Fields<TeamMessage>): SimulatedTeam => ({
   number: numberOf(fields, "number"),
   strategy: textOf(fields, "strategy"),

@@ -3,11 +3,13 @@
 import { changeableOf, isOfTree, kEditGame, kFutures, linesOf, moveIn, type ChangeableMoment } from "../memory/change";
 import type { Situation } from "../memory/forecast";
 import { isEdited, kNoEdit, moved, putBack, type Edit, type Standing, type Thing } from "../memory/question";
+import type { Memory } from "../memory/memory";
 import { knownThen, requestOf } from "../memory/reasons";
-import { simulationOf } from "../memory/simulation";
+import { kSimulation, simulationOf, tickAt } from "../memory/simulation";
 import type { Pane } from "./pane.svelte";
 import type { Server } from "./server.svelte";
 
+const kLate = 5; // [ticks] an older decision is not that of the shown moment: the robot is penalised
 const kPatienceMs = 60_000; // a slow machine plays a thousand games a minute
 
 /** The moment that is changed, as the service is asked about it. */
@@ -59,15 +61,25 @@ export class Change {
   /** Takes the shown moment as the one to be changed, and keeps the edits unless it is that of another robot. */
   async take(): Promise<void> {
     const { server, robot } = this.viewer;
+    const known = knownThen(server.memory, robot);
     const game = server.serviceNames.includes(kEditGame) ? simulationOf(server.memory) : undefined;
-    const known = game ? undefined : knownThen(server.memory, robot);
     if (!game && !known) return void (this.problem = "no decision is shown");
-    const asked = game ? { robot, seed: game.seed, tick: game.tick } : requestOf(known!);
+    const tick = game && this.#tickOf(server.memory, game.tick, known?.at_ns);
+    const asked = game ? { robot, seed: game.seed, tick } : requestOf(known!);
     if (robot !== this.#taken?.robot) [this.edit, this.lines] = [kNoEdit, []];
-    this.#taken = { server, robot, request: asked, tick: game?.tick };
+    this.#taken = { server, robot, request: asked, tick };
     this.answered = undefined;
     const moment = await this.#ask([], 0);
     if (moment) this.moment = moment;
+  }
+
+  /** Returns the tick at which the shown decision was made, so that it is made again with the change. */
+  #tickOf(memory: Memory, shown: number, decided_ns: bigint | undefined): number {
+    if (decided_ns === undefined) return shown;
+    // a page that was just opened has no earlier state
+    const before = decided_ns < (memory.world(kSimulation)?.shown?.log_ns ?? 0n) ? Math.max(0, shown - 1) : shown;
+    const tick = tickAt(memory, decided_ns) ?? before;
+    return tick > shown - kLate ? tick : shown;
   }
 
   move(thing: Thing, to: Standing): void {
@@ -112,12 +124,10 @@ export class Change {
   /** Returns the game to the moment, changes it there, and lets it stand. Returns whether it did. */
   async playOn(): Promise<boolean> {
     const { server, robot, tick } = this.#taken!;
-    const { client } = server;
     this.problem = "";
     try {
-      const ahead = Number((await client.call("/sim/pause", {}))["tick"]) - tick!;
-      if (ahead > 0) await client.call("/sim/back", { ticks: ahead });
-      await client.call(kEditGame, { robot, edits: this.edits, tick });
+      await server.standAt(tick!);
+      await server.client.call(kEditGame, { robot, edits: this.edits, tick });
       return true;
     } catch (error) {
       this.problem = (error as Error).message.replace(`${kEditGame}: `, "");

@@ -1,5 +1,6 @@
 // Interesting moments: the matches of a condition, breakpoints and bookmarks. All are in the page's address.
 
+import { tickAt } from "../memory/simulation";
 import { Breakpoint } from "./breakpoint";
 import { breakpointsOf, kLongestCondition, kMostBreakpoints, textOfBreakpoints } from "./breakpoints";
 import { bookmarksOf, textOfBookmarks, withBookmark, type Bookmark } from "./bookmarks";
@@ -66,8 +67,28 @@ export class Moments {
     const { time } = this.viewer;
     const stop_ns = this.#breakpoint.stopAt(time.at_ns, time.runs, beginsOf(stopping), this.#elapsed_ns());
     if (stop_ns === undefined) return;
+    const wasLive = time.live;
     time.seek(stop_ns);
     time.hold();
+    if (wasLive) void this.#stopGame(stop_ns);
+  }
+
+  /**
+   * A simulated game stands still too. Beliefs and decisions of a tick are those of its begin, so it stands at the next one.
+   * The page then shows it live, so that it can step.
+   */
+  async #stopGame(at_ns: bigint): Promise<void> {
+    const { server, time } = this.viewer;
+    if (!server.serviceNames.includes("/sim/back")) return;
+    const tick = tickAt(server.memory, at_ns + time.shiftOf(server));
+    if (tick === undefined) return;
+    try {
+      await server.standAt(tick + 1);
+      this.#breakpoint.clear(); // the ticks that were taken back stop nothing
+      time.now();
+    } catch (error) {
+      server.status("error", (error as Error).message, "breakpoint");
+    }
   }
 
   /** The time since the last call, at the pace of the playback. */

@@ -283,6 +283,12 @@ export class Server implements Listener {
     }
   }
 
+  /** Pauses its simulated game, and returns it to an earlier tick. Rejects with the service's sentence. */
+  async standAt(tick: number): Promise<void> {
+    const ahead = Number((await this.client.call("/sim/pause", {}))["tick"]) - tick;
+    if (ahead > 0) await this.client.call("/sim/back", { ticks: ahead });
+  }
+
   /** Whether it plays another session than the one of a link. */
   playsAnother(session: string): boolean {
     return session !== "" && this.session !== "" && session !== this.session;
