@@ -1,8 +1,9 @@
-// How long does a person wait for the debugger in a game of 20 minutes, and what do traces cost?
+// How long does a person wait for the debugger in a game of 20 minutes and in the viewer, and what do traces cost?
 import { statSync } from "node:fs";
 import { join } from "node:path";
 import { scratch, start } from "./programs.mjs";
 import { median, Report } from "./report.mjs";
+import { workspace } from "./workspace.mjs";
 
 const kSeed = 7;
 const kHalf = 600; // [s]
@@ -28,5 +29,6 @@ export async function debuggerTimes({ games = 100 }) {
   // beliefs and truth are in the file, too: the traces alone need less
   const mb = statSync(file).size / 1e6 / (2 * kPlayers * minutes);
   report.figure("recording with traces, of a robot and minute", mb, "MB", { atMost: 1 });
+  await workspace(report);
   return report.finish();
 }
