@@ -36,7 +36,7 @@ class CoverageCommand final : public Command {
   }
 
   int run() override {
-    const auto game = game_.prepare();
+    const auto game = game_.prepare_trees();
     if (!game) return fail(game.error());
     const Params& params = game->params();
     const Side side = side_ == "home" ? Side::home : Side::away;

@@ -131,6 +131,7 @@ class DebugCommand final : public Command {
     auto session = game_.begin();
     if (!session) return fail(session.error());
     if (const auto read = read_breakpoints(*session); !read) return fail(read.error());
+    if (const std::string note = session->note(); !note.empty()) std::fprintf(stderr, "%s\n", note.c_str());
     LineEditor editor([&](std::string_view line) { return session->completions(line); });
     for (int number = 1;; ++number) {
       const auto line = editor.read(session->prompt());

@@ -18,6 +18,13 @@ robot::Result<DebuggedGame> DebuggedGameOptions::prepare() const {
   return DebuggedGame{*std::move(setup), *std::move(openings)};
 }
 
+robot::Result<DebuggedGame> DebuggedGameOptions::prepare_trees() const {
+  auto game = prepare();
+  if (!game) return game;
+  if (const auto trees = debug::check_trees(*game->setup); !trees) return trees.failure();
+  return game;
+}
+
 void add_length(CLI::App& command, double& seconds) {
   command.add_option("--seconds", seconds, "[s] length of a game; 0: to its end")->check(CLI::Range(0., 36000.));
 }

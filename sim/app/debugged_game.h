@@ -1,4 +1,4 @@
-// The game of the commands that look into decisions: decision trees on both sides, from one start.
+// The game of the commands that look into decisions, from one start.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +27,8 @@ class DebuggedGameOptions {
  public:
   void add_to(CLI::App& command);
   robot::Result<DebuggedGame> prepare() const;
+  /// Prepares a game in which trees play both sides.
+  robot::Result<DebuggedGame> prepare_trees() const;
 
   std::uint64_t seed() const { return seed_; }
   io::Matchup choice() const { return choice_.choice(); }

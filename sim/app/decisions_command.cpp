@@ -23,7 +23,7 @@ class DecisionsCommand final : public Command {
   }
 
   int run() override {
-    const auto game = game_.prepare();
+    const auto game = game_.prepare_trees();
     if (!game) return fail(game.error());
     const Params& params = game->params();
     const int robot = check::robot_named(robot_, params.rules.players, kUsualTeams);

@@ -1,6 +1,7 @@
 #include "sim/debug/futures.h"
 
 #include <cassert>
+#include <optional>
 #include <utility>
 
 #include "robot/core/text.h"
@@ -24,6 +25,32 @@ RandomKey luck_of(RandomKey own, int number) {
   return {hash.value()};
 }
 
+/// One future, tick by tick.
+class Future {
+ public:
+  Future(const Moment& moment, int number) : setup_(*moment.setup), state_(moment.state) {
+    state_.world.key = luck_of(state_.world.key, number);
+    if (!moment.past) return;
+    game_.emplace(*moment.past);
+    game_->change(state_, moment.setup);
+  }
+
+  const State& state() const { return state_; }
+  bool over() const { return finished(state_); }
+  void step() {
+    if (game_)
+      state_ = game_->at(state_.world.tick + 1);
+    else
+      sim::step(setup_.params, state_, events_);
+  }
+
+ private:
+  const Setup& setup_;
+  State state_;
+  referee::Events events_;
+  std::optional<Timeline> game_;  // with behaviours from outside
+};
+
 /// The end of one future.
 struct End {
   int scored = 0, conceded = 0;  // goals of the side and of the other one
@@ -32,8 +59,8 @@ struct End {
 
 /// Plays a future. Its path is added to `paths` unless that is nullptr.
 End play_on(const Moment& moment, int robot, int number, Tick length, std::vector<FuturePath>* paths) {
-  State state = moment.state;
-  state.world.key = luck_of(state.world.key, number);
+  Future future(moment, number);
+  const State& state = future.state();
   const Tick begin = state.world.tick;
   const auto goals = [&](Side whose) {
     const int index = static_cast<int>(whose);
@@ -41,7 +68,6 @@ End play_on(const Moment& moment, int robot, int number, Tick length, std::vecto
   };
   const Side side = side_of(robot);
   FuturePath path;
-  referee::Events events;
   for (Tick played = 0; played <= length; ++played) {
     if (paths && played % FuturePath::kSpacing == 0 && goals(side) + goals(other(side)) == 0) {
       path.ball.push_back(state.world.ball.position);
@@ -50,8 +76,8 @@ End play_on(const Moment& moment, int robot, int number, Tick length, std::vecto
       const bool is_gone = body.doing == Body::Doing::removed && !path.robot.empty();
       path.robot.push_back(is_gone ? path.robot.back() : body.position);
     }
-    if (state.world.tick == begin + length || finished(state)) break;
-    step(moment.setup->params, state, events);
+    if (state.world.tick == begin + length || future.over()) break;
+    future.step();
   }
   if (paths) paths->push_back(std::move(path));
   return {goals(side), goals(other(side)), hash_of(state)};
@@ -66,15 +92,12 @@ Effect effect_of(const std::vector<double>& without, const std::vector<double>& 
 }
 
 void find_parting(const Pair& pair, Tick length, Futures& result) {
-  State a = pair.without.state, b = pair.with.state;
-  referee::Events events;
-  const Tick end = a.world.tick + length;
-  while (a.world.tick < end && !finished(a) && !finished(b)) {
-    step(pair.without.setup->params, a, events);
-    step(pair.with.setup->params, b, events);
-    result.field = difference(a, b);
+  Future without(pair.without, 0), with(pair.with, 0);
+  for (Tick played = 0; played < length && !without.over() && !with.over(); ++played) {
+    without.step(), with.step();
+    result.field = difference(without.state(), with.state());
     if (result.field.empty()) continue;
-    result.parting = a.world.tick;
+    result.parting = without.state().world.tick;
     return;
   }
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/debug/setup.h"
+#include "sim/debug/timeline.h"
 #include "sim/match/state.h"
 
 namespace sim::debug {
@@ -15,6 +17,8 @@ namespace sim::debug {
 struct Moment {
   SharedSetup setup;
   State state;
+  // in which behaviours from outside are brought to the moment; nullptr: there are none
+  std::shared_ptr<const Timeline> past = nullptr;
 };
 
 /// The same moment without and with a change, at the same tick.

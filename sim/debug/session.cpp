@@ -41,6 +41,12 @@ Result<std::string> Session::run(std::string_view line) {
                  std::to_string(line.size())};
   const Words words = words_of(line);
   if (words.empty() || words[0].starts_with('#')) return std::string();
+  Answer done = carry_out(words);
+  if (const std::string problem = timeline_.problem(); !problem.empty()) return Error{problem};
+  return done;
+}
+
+Session::Answer Session::carry_out(const Words& words) {
   const std::string& name = words[0];
   if (name == "goto") return go_to(words);
   if (name == "step") return move(words, true);
@@ -56,7 +62,10 @@ Result<std::string> Session::run(std::string_view line) {
   if (name == "whynot") return why_not(words);
   if (name == "show") return show_text(params(), timeline_.at(now_), [&](int robot) { return name_of(robot); });
   if (name == "nodes") return nodes();
-  if (name == "leaves") return leaves_text(tree_of(params(), focus_)->tree());
+  if (name == "leaves") {
+    const auto played = tree();
+    return played ? Answer(leaves_text(**played)) : Answer(played.failure());
+  }
   if (name == "set") return set(words);
   if (name == "strategy") return strategy(words);
   if (name == "undo") return undo();
@@ -101,6 +110,27 @@ std::vector<std::string> Session::completions(std::string_view line) const {
 
 std::string Session::name_of(int robot) const {
   return std::to_string(teams_.of(side_of(robot))) + "/" + std::to_string(player_of(robot));
+}
+
+Result<const agent::Tree*> Session::tree_in(const Params& params, int robot) const {
+  if (const agent::TreeBehaviour* played = tree_of(params, robot)) return &played->tree();
+  return Error{name_of(robot) + " plays '" + params.teams[static_cast<int>(side_of(robot))].behaviour->name() +
+               "', which is no decision tree"};
+}
+
+std::string Session::note() const {
+  if (!timeline_.setup_at(now_)->lineup) return {};
+  return timeline_.saves()
+             ? "The behaviours from outside save their memory: any moment is loaded."
+             : "A behaviour from outside cannot save its memory: for an earlier moment, and for each future, "
+               "the game is played again from its first tick.";
+}
+
+Result<Stop> Session::stop_in(const std::string& text) const {
+  auto stop = parse_stop(text, players(), teams_, focus_);
+  if (!stop) return stop;
+  if (const auto robot = robot_without_tree(*stop, params())) return tree_in(params(), *robot).failure();
+  return stop;
 }
 
 Result<int> Session::robot_in(const Words& words, std::size_t index) const {
@@ -169,7 +199,7 @@ Session::Answer Session::move(const Words& words, bool forward) {
 Session::Answer Session::run_until(const Words& words, bool forward) {
   if (words.size() < 2) return usage(words[0]);
   const std::string text = rest_of(words, 1);
-  const auto stop = parse_stop(text, players(), teams_, focus_);
+  const auto stop = stop_in(text);
   if (!stop) return stop.failure();
   const auto tick = forward ? next_stop(timeline_, *stop, now_) : previous_stop(timeline_, *stop, now_);
   if (!tick) return Error{"'" + text + "' does not become true " + (forward ? "after" : "before") + " this moment"};
@@ -189,7 +219,7 @@ Session::Answer Session::set_breakpoint(const Words& words) {
       all += formatted("%3zu  %s\n", i + 1, text_of(breakpoints_[i]).c_str());
     return all.empty() ? "no breakpoints\n" : all;
   }
-  auto stop = parse_stop(rest_of(words, 1), players(), teams_, focus_);
+  auto stop = stop_in(rest_of(words, 1));
   if (!stop) return stop.failure();
   if (breakpoints_.size() == kMostBreakpoints)
     return Error{"there are " + std::to_string(kMostBreakpoints) + " breakpoints at most"};
@@ -236,6 +266,7 @@ Result<Explanation> Session::explain(int robot) {
   const auto decision = decision_before(timeline_, now_, robot);
   if (!decision) return Error{name_of(robot) + " has not decided yet"};
   SharedSetup setup = timeline_.setup_at(decision->tick);
+  if (const auto played = tree_in(setup->params, robot); !played) return played.failure();
   const agent::TreeBehaviour& behaviour = *tree_of(setup->params, robot);
   Why reasons = debug::why(setup->params, behaviour, *decision, timeline_.at(decision->tick));
   return Explanation{.setup = std::move(setup), .tree = &behaviour.tree(), .why = std::move(reasons)};
@@ -270,11 +301,12 @@ Session::Answer Session::why_not(const Words& words) {
 }
 
 Session::Answer Session::nodes() {
-  const agent::Tree& tree = tree_of(params(), focus_)->tree();
+  const auto played = tree();
+  if (!played) return played.failure();
+  const std::vector<agent::Words>& words = (*played)->node_words;
   std::string text;
-  for (std::size_t i = tree.nodes.size(); i-- > 0;) {
-    text += formatted("%4zu  %-40s %s\n", i, tree.node_words[i].condition.c_str(), tree.node_words[i].path.c_str());
-  }
+  for (std::size_t i = words.size(); i-- > 0;)
+    text += formatted("%4zu  %-40s %s\n", i, words[i].condition.c_str(), words[i].path.c_str());
   return text;
 }
 

@@ -29,7 +29,8 @@ class Session {
   /// Begins at `start`, with home/2 in focus, or home/1 where there is no other player.
   Session(SharedSetup setup, const State& start, io::SituationTeams teams);
 
-  /// Runs a line. An empty line and one that begins with '#' do nothing. The Error is one sentence, and nothing has changed.
+  /// Runs a line. An empty line and one that begins with '#' do nothing. The Error is one sentence, and nothing has changed,
+  /// except when a behaviour from outside fails: the game is then wrong from there on.
   robot::Result<std::string> run(std::string_view line);
 
   /// Explains the newest decision of a robot, by its index, without the sources of its comparisons.
@@ -45,6 +46,8 @@ class Session {
   int focus() const { return focus_; }
   /// Returns the name of a robot, by its index: "14/3".
   std::string name_of(int robot) const;
+  /// Returns how the past of behaviours from outside comes again, as a sentence; empty if trees play both sides.
+  std::string note() const;
   /// Returns "812.30 s 14/3> ".
   std::string prompt() const;
   /// Returns the conditions of the breakpoints, each with the names of its robots.
@@ -61,6 +64,7 @@ class Session {
     Timeline before;
   };
 
+  Answer carry_out(const Words& words);
   Answer go_to(const Words& words);
   Answer run_until(const Words& words, bool forward);
   Answer set_breakpoint(const Words& words);
@@ -79,6 +83,12 @@ class Session {
   Answer strategy(const Words& words);
   Answer undo();
   Answer run_futures(const Words& words);
+
+  /// Returns the tree of the robot in focus, or the Error that it plays none.
+  robot::Result<const agent::Tree*> tree() const { return tree_in(params(), focus_); }
+  robot::Result<const agent::Tree*> tree_in(const Params& params, int robot) const;
+  /// Reads a condition for this game.
+  robot::Result<Stop> stop_in(const std::string& text) const;
 
   /// Moves by a number of decisions, seconds or ticks.
   Answer move(const Words& words, bool forward);

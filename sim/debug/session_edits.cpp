@@ -89,7 +89,9 @@ Result<void> Session::set_of_robot(const Words& words, State& state) const {
 
 Session::Answer Session::set_threshold(const Words& words) {
   if (words.size() < 4) return usage("set");
-  const agent::Tree& tree = tree_of(params(), focus_)->tree();
+  const auto played = tree();
+  if (!played) return played.failure();
+  const agent::Tree& tree = **played;
   const auto node = number_in<std::uint16_t>(words[2]);
   if (!node || *node >= tree.nodes.size())
     return Error{"set threshold: expected a node from 0 to " + std::to_string(tree.nodes.size() - 1) + ", got '" +
@@ -112,7 +114,9 @@ Session::Answer Session::set_argument(const Words& words) {
   const auto at = of - words.begin();
   if (of == words.end() || at < 4 || of + 1 == words.end()) return usage("set");
   const std::string value = rest_of({words.begin(), of}, 3), where = rest_of(words, static_cast<std::size_t>(at + 1));
-  auto changed = with_argument(tree_of(params(), focus_)->tree(), where, words[2], value);
+  const auto played = tree();
+  if (!played) return played.failure();
+  auto changed = with_argument(**played, where, words[2], value);
   if (!changed) return Error{"set argument: " + changed.error()};
   return play_tree(timeline_.at(now_), *std::move(changed), words[2] + " " + value + " of " + where);
 }
@@ -165,8 +169,12 @@ std::optional<Pair> Session::edited() {
   auto first = edits_.end() - 1;
   while (first != edits_.begin() && (first - 1)->tick == tick) --first;
   Timeline before = first->before;
-  return Pair{.without = {before.setup_at(tick), before.at(tick)},
-              .with = {timeline_.setup_at(tick), timeline_.at(tick)}};
+  const auto moment = [&](Timeline& game) {
+    Moment made{.setup = game.setup_at(tick), .state = game.at(tick)};
+    if (made.setup->lineup) made.past = std::make_shared<const Timeline>(game);
+    return made;
+  };
+  return Pair{.without = moment(before), .with = moment(timeline_)};
 }
 
 }  // namespace sim::debug

@@ -14,20 +14,34 @@ using robot::Result;
 
 namespace {
 
-Error no_tree(const std::string& name) { return {"'" + name + "' is no decision tree, and the debugger needs one"}; }
+Error no_tree(const std::string& name) { return {"'" + name + "' is no decision tree, and one is needed here"}; }
 
 }  // namespace
 
 Result<SharedSetup> prepare(const contest::LineupChoice& choice) {
-  for (const int side : {0, 1})
-    for (const std::string& name : {choice.game.strategies[side], choice.rest[side]})
-      if (guest::is_guest(name)) return no_tree(name);
-  auto game = io::prepare(choice.game);
+  auto setup = std::make_shared<Setup>();
+  io::Matchup trees = choice.game;
+  for (const int side : {0, 1}) {
+    const bool is_outside = guest::is_guest(choice.game.strategies[side]);
+    if (!choice.rest[side].empty() && (is_outside || guest::is_guest(choice.rest[side])))
+      return Error{"the debugger needs a whole side for a behaviour from outside"};
+    if (!is_outside) continue;
+    trees.strategies[side] = "idle";
+    if (setup->lineup) continue;
+    auto lineup = contest::Lineup::prepare(choice);
+    if (!lineup) return lineup.failure();
+    setup->lineup = std::make_shared<contest::Lineup>(*std::move(lineup));
+  }
+  auto game = io::prepare(trees);
   if (!game) return game.failure();
 
-  auto setup = std::make_shared<Setup>();
   setup->params = game->params;
   for (const int side : {0, 1}) {
+    if (guest::is_guest(choice.game.strategies[side])) {
+      setup->behaviours.push_back(std::make_shared<Outside>(choice.game.strategies[side]));
+      setup->params.teams[side].behaviour = setup->behaviours.back().get();
+      continue;
+    }
     agent::Behaviour const* played = game->behaviours[side].get();
     if (!dynamic_cast<const agent::TreeBehaviour*>(played)) return no_tree(choice.game.strategies[side]);
     setup->behaviours.push_back(game->behaviours[side]);
@@ -55,6 +69,12 @@ Result<SharedSetup> rest_of_game(const io::PreparedGame& game, const State& stat
     setup->behaviours.push_back(std::move(played));
   }
   return SharedSetup(std::move(setup));
+}
+
+Result<void> check_trees(const Setup& setup) {
+  for (const Team& team : setup.params.teams)
+    if (dynamic_cast<const Outside*>(team.behaviour)) return no_tree(team.behaviour->name());
+  return {};
 }
 
 const agent::TreeBehaviour* tree_of(const Params& params, int robot) {

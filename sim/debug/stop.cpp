@@ -254,6 +254,17 @@ std::string text_of(const Stop& stop) {
   return robot::joined(alternatives, " or ");
 }
 
+std::optional<int> robot_without_tree(const Stop& stop, const Params& params) {
+  using enum RobotFact::Kind;
+  for (const std::vector<Term>& terms : stop.alternatives)
+    for (const Term& term : terms) {
+      const RobotFact::Kind kind = term.robot.kind;
+      const bool is_of_tree = kind == feature || kind == skill_is || kind == skill_changes || kind == leaf_changes;
+      if (!term.game && is_of_tree && !tree_of(params, term.robot.robot)) return term.robot.robot;
+    }
+  return {};
+}
+
 std::optional<Tick> next_stop(Timeline& timeline, const Stop& stop, Tick now) {
   std::optional<Tick> found;
   for_each_stop(timeline, stop, kNever, [&](Tick tick) {

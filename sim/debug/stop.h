@@ -64,6 +64,9 @@ robot::Result<Stop> parse_stop(std::string_view text, int players, const io::Sit
 /// Returns a text that parses to the same condition, whichever robot is in focus.
 std::string text_of(const Stop& stop);
 
+/// Returns the robot of a fact that only a decision tree has, and that plays none; or nothing.
+std::optional<int> robot_without_tree(const Stop& stop, const Params& params);
+
 /// Finds the first tick behind `now` at which the condition has become true, up to the end of the game. The tick is the
 /// one of the state after it.
 std::optional<Tick> next_stop(Timeline& timeline, const Stop& stop, Tick now);

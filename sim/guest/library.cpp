@@ -38,42 +38,66 @@ class LibraryGuest final : public GuestBehaviour {
   std::optional<std::string> save() const override {
     if (!behaviour_.save) return {};
     std::string all;
-    for (const auto& player : players_) {
-      const std::size_t size = player ? behaviour_.save(player->self(), nullptr, 0) : 0;
-      if (size > kMostMemory) return {};
-      std::string bytes(size, '\0');
-      if (size > 0 && behaviour_.save(player->self(), bytes.data(), size) != size) return {};
-      const auto length = static_cast<std::uint32_t>(size);
+    for (const Seat& seat : seats_) {
+      std::string bytes = seat.loaded;
+      if (seat.player) {
+        const std::size_t size = behaviour_.save(seat.player->self(), nullptr, 0);
+        if (size > kMostMemory) return {};
+        bytes.resize(size);
+        if (size > 0 && behaviour_.save(seat.player->self(), bytes.data(), size) != size) return {};
+      }
+      const auto length = static_cast<std::uint32_t>(bytes.size());
       all.append(reinterpret_cast<const char*>(&length), sizeof length).append(bytes);
     }
     return all;
   }
 
   Result<void> load(std::string_view bytes) override {
-    for (const auto& player : players_) {
+    for (Seat& seat : seats_) {
       std::uint32_t length = 0;
       if (bytes.size() < sizeof length) return Error{name() + ": the saved memory is truncated"};
       std::memcpy(&length, bytes.data(), sizeof length);
       bytes.remove_prefix(sizeof length);
       if (length > bytes.size()) return Error{name() + ": the saved memory is truncated"};
-      if (player && length > 0 && behaviour_.load(player->self(), bytes.data(), length) == 0)
-        return Error{"behaviour '" + name() + "': load refused the bytes of save"};
+      // the library makes a player at its first decision
+      seat.loaded = bytes.substr(0, length);
+      if (length == 0) seat.player.reset();
+      if (seat.player && !seat.take_memory(behaviour_)) return Error{"behaviour '" + name() + "': " + kRefused};
       bytes.remove_prefix(length);
     }
     return {};
   }
 
  private:
+  static constexpr const char* kRefused = "load refused the bytes of save";
+
+  /// A player, and memory that was loaded before it was made.
+  struct Seat {
+    std::unique_ptr<Player> player;
+    std::string loaded;
+
+    /// Gives the player that memory. Returns false if the library refuses it.
+    bool take_memory(const ForesightBehaviour& behaviour) {
+      if (loaded.empty()) return true;
+      const bool taken = behaviour.load(player->self(), loaded.data(), loaded.size()) != 0;
+      loaded.clear();
+      return taken;
+    }
+  };
+
   std::string ask(const ForesightPlayer& facts, const ForesightMoment& moment, ForesightCommand& command) override {
-    auto& player = players_[static_cast<std::size_t>(facts.player)];
-    if (!player) player = std::make_unique<Player>(behaviour_, facts);
-    if (!player->self()) return "create returned no player";
-    behaviour_.decide(player->self(), &moment, &command);
+    Seat& seat = seats_[static_cast<std::size_t>(facts.player)];
+    if (!seat.player) {
+      seat.player = std::make_unique<Player>(behaviour_, facts);
+      if (!seat.player->self()) return "create returned no player";
+      if (!seat.take_memory(behaviour_)) return kRefused;
+    }
+    behaviour_.decide(seat.player->self(), &moment, &command);
     return {};
   }
 
   const ForesightBehaviour& behaviour_;
-  std::array<std::unique_ptr<Player>, kMaxPlayers + 1> players_;  // by number
+  std::array<Seat, kMaxPlayers + 1> seats_;  // by number
 };
 
 /// A loaded library. It stays loaded to the end of the program, because players may still exist.

@@ -131,7 +131,7 @@ test("bad input is one sentence with exit status 2, and a script names the line"
       "",
       /--out: expected a name that ends with .csv or .btlog, got 'a.txt'/,
     ],
-    [["debug", "--home", "pipe:true"], "", /'pipe:true' is no decision tree, and the debugger needs one/],
+    [["debug", "--home", "pipe:true"], "", /behaviour 'pipe:true': the process ended with status 0/],
     [["debug"], "goto 40\nuntil ball_xx > 1\n", /line 2: expected a fact .*did you mean 'ball_x'\?/],
   ];
   for (const [args, input, sentence] of cases) {

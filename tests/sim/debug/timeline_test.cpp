@@ -47,6 +47,17 @@ TEST(Timeline, AGamePlayedOnFromAnyKeyFrameEqualsTheFirstRunToTheBit) {
   }
 }
 
+TEST(Timeline, AReplayTakesTheEditsOnItsWay) {
+  const SharedSetup setup = setup_of("baseline", "baseline", 60);
+  Timeline timeline = timeline_of(setup, 7);
+  State state = timeline.at(700);
+  state.world.ball.position = {1, 0.5f};
+  timeline.change(state, setup);
+  const std::uint64_t later = hash_of(timeline.at(800));
+  const State last = timeline.replay(650, 800, [](const State&, const State&, const referee::Events&) { return true; });
+  EXPECT_EQ(hash_of(last), later);
+}
+
 TEST(Timeline, AnyTickIsReachedInAnyOrder) {
   const SharedSetup setup = setup_of("baseline", "baseline", 60);
   const std::vector<std::uint64_t> expected = first_run(setup, 7);

@@ -91,6 +91,9 @@ TEST(GuestBehaviour, ASavedMemoryIsLoaded) {
   const auto after = decisions_of(*guest, 50);
   ASSERT_TRUE(guest->load(*memory));
   EXPECT_EQ(guest->save(), memory);
+  const auto fresh = source->begin(1);
+  ASSERT_TRUE(fresh->load(*memory));
+  EXPECT_EQ(fresh->save(), memory) << "its players are made at their first decisions";
   EXPECT_EQ(decisions_of(*guest, 50), after);
   for (std::size_t n = 0; n < memory->size(); ++n) EXPECT_FALSE(guest->load(memory->substr(0, n))) << n;
   EXPECT_FALSE(opened(charge_in_python())->begin(1)->save());
