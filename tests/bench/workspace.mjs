@@ -39,13 +39,13 @@ function timeOfStep(patience) {
 /** Runs in the page: the time until the table of effects is there [ms]. */
 async function timeOfFutures() {
   const panel = document.querySelector("[aria-label='Change and run again']");
-  const run = [...panel.querySelectorAll("button")].find((button) => button.textContent === "Run futures");
+  const run = panel.querySelector("button.primary");
+  const frame = () => new Promise((done) => requestAnimationFrame(done));
+  while (run.disabled) await frame();
   const began = performance.now();
   run.click();
-  while (run.textContent !== "Run futures" || run.disabled || !panel.querySelector("table")) {
-    await new Promise((done) => requestAnimationFrame(done));
-    if (performance.now() - began > 60_000) return NaN;
-  }
+  do await frame();
+  while ((run.disabled || !panel.querySelector("table")) && performance.now() - began < 60_000);
   return performance.now() - began;
 }
 

@@ -119,7 +119,7 @@ test("bad input is one sentence with exit status 2, and a script names the line"
     [["why", "--at", "60", "--robot", "15/2"], "", /--robot: expected home\/N, away\/N, 14\/N or 5\/N/],
     [["why", "--at", "6000", "--robot", "14/2"], "", /--at: the game ends [\d.]+ s after its first tick, got 6000/],
     [["whynot", "--at", "60", "--robot", "14/2", "--skill", "dribbel"], "", /did you mean 'dribble'\?/],
-    [["coverage", "--home", "pipe:true"], "", /'pipe:true' is no decision tree/],
+    [["coverage", "--home", join(bin, "charge.so")], "", /charge\.so' is no decision tree, and one is needed here/],
     [["coverage", "--games", "1", "--seconds", "1"], "", /no robot decided in play; play more or longer games/],
     [
       ["decisions", "--robot", "14/9"],

@@ -54,9 +54,9 @@ struct Start {
     const int place = *team == teams.of(side) ? lineups->of(side).place_of(*player) : 0;
     return place == 0 ? int{sim::kNobody} : sim::robot_of(side, place);
   }
-  std::string name_of(int robot) const {
-    const sim::Side side = sim::side_of(robot);
-    const int place = sim::player_of(robot);
+  std::string name_of(int index) const {
+    const sim::Side side = sim::side_of(index);
+    const int place = sim::player_of(index);
     const int number = lineups ? static_cast<int>(lineups->of(side).player_at(place)) : place;
     return std::to_string(teams.of(side)) + "/" + std::to_string(number);
   }

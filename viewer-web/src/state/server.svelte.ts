@@ -36,6 +36,7 @@ const kStepService = "message_beside";
 const kWatchService = "watch_session";
 const kOutdated = 0.3; // [s] after a seek: an object without a message by then has no value there
 const kIntroduction = 1; // [s] for the introduction of a server without services
+const kFirstScreen = 0.6; // [s] in which the page shows the present, before it asks for the past
 const kCounting = 2; // [s] until a server has written each of its streams and counted it, once a second
 const kTopicsAtOnce = 8; // the server refuses more than 32 requests of a page at once
 const kSettled = 0.15; // [s] the page waits at a moment before the server seeks it too
@@ -250,8 +251,9 @@ export class Server implements Listener {
     const time = now();
     this.memory.reached(time);
     if (this.info && !this.toldAll && time - this.#introduced_s > kIntroduction) this.toldAll = true;
-    // its parameters tell whether a game is in progress
-    if (this.toldAll && this.parameterValues.size > 0) this.#recalls?.begin();
+    // the present comes first; its parameters tell whether a game is in progress
+    const hasShown = time - this.#introduced_s > kFirstScreen;
+    if (this.toldAll && hasShown && this.parameterValues.size > 0) this.#recalls?.begin();
     if (this.#sought !== undefined && time - this.#sought > kOutdated) {
       this.#sought = undefined;
       this.memory.dropOutdated();

@@ -91,19 +91,36 @@ beforeEach(() => {
 afterEach(() => {
   server.stop();
   vi.unstubAllGlobals();
+  vi.restoreAllMocks();
 });
 
 const settled = async () => {
   for (let i = 0; i < 20; ++i) await new Promise((resolve) => setTimeout(resolve));
 };
 
-/** A live robot that remembers its last minutes and has announced `topics`. */
+/** A live robot that remembers its last minutes, has announced `topics`, and whose present was shown for a second. */
 function live(...topics: string[]) {
+  const began = performance.now();
+  vi.spyOn(performance, "now").mockReturnValue(began);
   server.introduced(infoOf({ metadata: { recent: "/api/recent" } }), true, false);
   server.advertised(topics.map(channelOf));
   for (const topic of topics) server.subscribed(topic, true);
   server.services(["set_parameters"]);
+  vi.spyOn(performance, "now").mockReturnValue(began + 1000);
 }
+
+test("the present is shown before the past is asked for", async () => {
+  live("/14/2/ball");
+  server.parameters([{ name: "match_mode", value: false }]);
+  vi.spyOn(performance, "now").mockReturnValue(performance.now() - 900);
+  server.frame();
+  await settled();
+  expect(asked).toEqual([]);
+  vi.spyOn(performance, "now").mockReturnValue(performance.now() + 900);
+  server.frame();
+  await settled();
+  expect(asked.length).toBe(1);
+});
 
 test("the last minutes are asked for when the parameters are known, and lie before what has come", async () => {
   live("/14/2/ball", "/14/2/pose");
