@@ -35,7 +35,7 @@ Result<bridge::Remembered<Message>> message_in(const json& object, const std::st
 
 /// Reads the objects that a client sent.
 Result<AskedMoment> sent_moment(const memory::Channels& channels, const json& request, std::string robot) {
-  AskedMoment moment{.robot = std::move(robot), .objects = {}, .truth = {}};
+  AskedMoment moment{.robot = std::move(robot), .objects = {}, .truth = {}, .simulation = {}};
   const auto at_ns = number_in_text<std::uint64_t>(request, "at_ns");
   if (!at_ns) return Error{"'at_ns' must be a time in nanoseconds as a text, because there are 'objects'"};
   const json& objects = request["objects"];
@@ -59,6 +59,11 @@ Result<AskedMoment> sent_moment(const memory::Channels& channels, const json& re
     if (!truth) return truth.failure();
     moment.truth = std::move(truth->value);
   }
+  if (const auto found = objects.find("simulation"); found != objects.end()) {
+    auto simulation = message_in<pb::Simulation>(*found, "simulation");
+    if (!simulation) return simulation.failure();
+    moment.simulation = std::move(simulation->value);
+  }
   return moment;
 }
 
@@ -71,7 +76,10 @@ Result<AskedMoment> newest_moment(const memory::Channels& channels, std::string 
   if (game && game->capture_ns > decision->capture_ns + kSameMomentNs)
     return Error{"robot '" + printable(robot, 40) +
                  "' decides nothing now: its newest decision is older than its game"};
-  AskedMoment moment{.robot = robot, .objects = bridge::recollect(channels, robot, decision->capture_ns), .truth = {}};
+  AskedMoment moment{.robot = robot,
+                     .objects = bridge::recollect(channels, robot, decision->capture_ns),
+                     .truth = {},
+                     .simulation = {}};
   if (auto truth = bridge::newest<pb::GroundTruth>(channels, bridge::kTruthTopic))
     moment.truth = std::move(truth->value);
   return moment;

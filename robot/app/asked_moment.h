@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "proto/foresight/sim.pb.h"
 #include "proto/foresight/truth.pb.h"
 #include "robot/bridge/from_messages.h"
 #include "robot/core/result.h"
@@ -17,6 +18,7 @@ struct AskedMoment {
   std::string robot;  // "14/2"
   bridge::Recollection objects;
   std::optional<foresight::GroundTruth> truth;
+  std::optional<foresight::Simulation> simulation;  // only of sent objects
 };
 
 /// Reads the text at `key` of a request, of at most 1000 bytes.
@@ -26,7 +28,7 @@ Result<std::string> text_in(const nlohmann::json& request, const char* key);
 ///
 ///   "at_ns": "1700000000000000000"  capture time of the decision
 ///   "objects": {"ball": {"capture_ns": "…", "data": "base64"}, …}  newest messages of the robot at that time, by name;
-///              "truth" is /truth/world
+///              "truth" is /truth/world, "simulation" is /sim/state
 ///
 /// Without objects it is the newest decision in `channels`, and what the robot knew then. Returns an Error for a wrong
 /// request, and if the robot decides nothing now.

@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { open, shoot, shootEach } from "./browser.mjs";
 import { Live } from "./live.mjs";
-import { sessionsOf, start, temporaryFolder, until } from "./support.mjs";
+import { play, run, sessionsOf, start, temporaryFolder, until } from "./support.mjs";
 
 const kWide = { width: 1600, height: 950 };
 
@@ -136,27 +136,53 @@ test("the answer to why not is tried out", async (t) => {
   assert.deepEqual(problems, []);
 });
 
-test("a recorded moment is changed from what the robot believed", async (t) => {
-  const folder = temporaryFolder(t);
-  const server = await start(t, folder, "foresight-robot", "--body", "sim", "--player", "2", "--seed", "7", "--record");
-  const live = await Live.open(t, server);
-  await live.call("/sim/speed", { speed: 20 });
-  await until(async () => (await live.call("/sim/state")).tick > 2400, "80 s of the game");
-  await live.call("stop_recording");
-  const [session] = await sessionsOf(server);
-  const player = await start(t, folder, "foresight-lab", "play", join(folder, "logs", session.session));
-  const { page, problems } = await open(t, `${player.http}/#/14/2/debug`);
+/** Opens the end of a recording in Debug, and the change of its moment. */
+async function openChange(t, server) {
+  const { page, problems } = await open(t, `${server.http}/#/14/2/debug`);
   const debug = page.getByRole("region", { name: "Debug", exact: true });
   await page.getByText("a recording").waitFor();
   await page.keyboard.press("Space");
   await page.keyboard.press("End");
   await debug.getByRole("button", { name: "change…" }).click();
-  const panel = debug.getByRole("region", { name: "Change and run again" });
+  return { page, problems, panel: debug.getByRole("region", { name: "Change and run again" }) };
+}
+
+test("a recorded moment is changed from what the robot believed", async (t) => {
+  const folder = temporaryFolder(t);
+  const server = await start(t, folder, "foresight-robot", "--body", "sim", "--player", "2", "--seed", "7", "--record");
+  const live = await Live.open(t, server);
+  await live.call("/sim/reset", { situation: "blocked" }); // no seed leads there
+  await live.call("/sim/speed", { speed: 20 });
+  await until(async () => (await live.call("/sim/state")).tick > 200, "some seconds of the game");
+  await live.call("stop_recording");
+  const [session] = await sessionsOf(server);
+  const player = await start(t, folder, "foresight-lab", "play", join(folder, "logs", session.session));
+  const { page, problems, panel } = await openChange(t, player);
   await panel.getByText("what 14/2 believed: it attacks to the right").waitFor();
   await panel.getByLabel("An edit").fill("set 14/2 believes ball 0.3 0");
   await page.keyboard.press("Enter");
   await panel.getByRole("button", { name: "Run futures" }).click();
   await rowOf(panel, "goal difference").waitFor();
   assert.equal(await panel.getByRole("button", { name: "Play on with it" }).count(), 0);
+  assert.deepEqual(problems, []);
+});
+
+test("a moment of a recorded game is changed from the game itself, which is played again", async (t) => {
+  const folder = temporaryFolder(t);
+  const file = join(folder, "game.mcap");
+  const made = await run(
+    "foresight-sim",
+    "match",
+    "--seed",
+    "7",
+    "--rules",
+    "spl2025:5,halves=1,half_duration=60",
+    "--mcap",
+    file,
+  );
+  assert.equal(made.status, 0, made.stderr);
+  const { problems, panel } = await openChange(t, await play(t, folder, file));
+  await panel.getByText(/^the game at 1:3\d, as 14\/2 plays it/).waitFor();
+  assert.equal(await panel.getByRole("button", { name: "Play on with it" }).count(), 0, "nobody plays it");
   assert.deepEqual(problems, []);
 });

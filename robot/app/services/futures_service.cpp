@@ -10,6 +10,7 @@
 #include "robot/app/asked_moment.h"
 #include "robot/app/known_game.h"
 #include "robot/app/recalled_decision.h"
+#include "robot/app/replayed_game.h"
 #include "robot/bridge/player_map.h"
 #include "robot/core/json.h"
 #include "robot/core/json_library.h"
@@ -30,7 +31,7 @@ using sim::debug::Pair;
 
 constexpr const char* kFutures = "/decision/futures";
 constexpr const char* kEdit = "/sim/edit";
-constexpr float kLongest = 120;  // [s] of a future
+constexpr float kLongestFuture = 120;  // [s]
 
 /// The moment at which all futures begin.
 struct Start {
@@ -102,7 +103,7 @@ Result<Extent> extent_in(const json& request) {
   if (*pairs == 1) return Error{"'pairs' must be 2 or more, or 0 for no futures, got 1"};
   const auto found = request.find("seconds");
   const float seconds = found == request.end() ? 30.f : found->is_number() ? found->get<float>() : 0.f;
-  if (!(seconds >= 1 && seconds <= kLongest)) return Error{"'seconds' must be a number 1 .. 120"};
+  if (!(seconds >= 1 && seconds <= kLongestFuture)) return Error{"'seconds' must be a number 1 .. 120"};
   if (static_cast<float>(*pairs) * seconds > kMostPlayed)
     return Error{"'pairs' times 'seconds' must be at most " + std::to_string(kMostPlayed)};
   return Extent{.pairs = static_cast<int>(*pairs), .seconds = seconds};
@@ -144,7 +145,7 @@ class Futures {
     if (!edits) return edits.failure();
     const auto extent = extent_in(request);
     if (!extent) return extent.failure();
-    const auto start = options_.game && !request.contains("objects") ? game_start(request) : believed_start(request);
+    const auto start = options_.game && !request.contains("objects") ? game_start(request) : recalled_start(request);
     if (!start) return start.failure();
 
     auto first = changed(*start, *edits, 0);
@@ -152,6 +153,7 @@ class Futures {
     const sim::debug::Moment &without = first->without, &with = first->with;
     json answer = {{"ok", true},
                    {"from", start->from},
+                   {"tick", start->from == "game" ? json(without.state.world.tick) : json()},
                    {"robot", start->name_of(start->robot)},
                    {"side", sim::side_of(start->robot) == sim::Side::home ? "home" : "away"},
                    {"attacks", sim::attack_sign(without.state.world, sim::side_of(start->robot)) > 0 ? 1 : -1},
@@ -221,39 +223,55 @@ class Futures {
     const body::GameSetup& played = options_.game->setup();
     auto setup = sim::debug::rest_of_game(played.game, *state);
     if (!setup) return setup.failure();
-    Start start{
-        .from = "game",
-        .setup = *std::move(setup),
-        .teams = {.home = static_cast<int>(played.names.teams.home), .away = static_cast<int>(played.names.teams.away)},
-        .lineups = {},
-        .robot = 0,
-        .state = [state = *state](int) { return state; }};
-    start.robot = start.index_of(*robot);
+    return begun({.setup = *std::move(setup),
+                  .state = *state,
+                  .teams = {.home = static_cast<int>(played.names.teams.home),
+                            .away = static_cast<int>(played.names.teams.away)}},
+                 *robot);
+  }
+
+  /// Returns the moment of a recorded game that can be played again, or else the one in which the robot believed.
+  Result<Start> recalled_start(const json& request) {
+    const auto moment = asked_moment(channels_, request);
+    if (!moment) return moment.failure();
+    if (moment->simulation && moment->truth)
+      if (auto played = replayed_.at(*moment->simulation, *moment->truth, trees_))
+        return begun(*std::move(played), moment->robot);
+    return believed_start(*moment);
+  }
+
+  /// Returns the start at a moment of a whole game.
+  static Result<Start> begun(ReplayedGame::Moment moment, const std::string& robot) {
+    Start start{.from = "game",
+                .setup = std::move(moment.setup),
+                .teams = moment.teams,
+                .lineups = {},
+                .robot = 0,
+                .state = [state = moment.state](int) { return state; }};
+    start.robot = start.index_of(robot);
     if (start.robot == sim::kNobody)
       return Error{"expected " + sim::check::robot_names(start.players(), start.teams) + ", got '" +
-                   printable(*robot, 40) + "'"};
+                   printable(robot, 40) + "'"};
     return start;
   }
 
   /// Returns the moment in which the robot believed.
-  Result<Start> believed_start(const json& request) {
-    const auto moment = asked_moment(channels_, request);
-    if (!moment) return moment.failure();
-    const std::string name = "robot " + printable(moment->robot, 40);
-    if (!moment->objects.decision) return Error{name + " has not decided anything"};
-    auto game = game_.of(moment->robot);
+  Result<Start> believed_start(const AskedMoment& moment) {
+    const std::string name = "robot " + printable(moment.robot, 40);
+    if (!moment.objects.decision) return Error{name + " has not decided anything"};
+    auto game = game_.of(moment.robot);
     if (!game) return game.failure();
-    const auto tree = trees_.named(moment->objects.decision->value.strategy());
+    const auto tree = trees_.named(moment.objects.decision->value.strategy());
     if (!tree) return tree.failure(name);
     game->behaviours[0] = *tree;
     game->params.teams[0].behaviour = tree->get();
-    const auto knowledge = bridge::knowledge_of(moment->objects, game->params);
+    const auto knowledge = bridge::knowledge_of(moment.objects, game->params);
     if (!knowledge) return knowledge.failure(name);
     const sim::foresight::Believed believed = sim::foresight::believe(game->params, *knowledge);
     if (!believed.refusal.empty()) return Error{name + ": " + believed.refusal};
     auto setup = sim::debug::rest_of_game(*game, believed.situation.state);
     if (!setup) return setup.failure();
-    const foresight::GameState& told = moment->objects.game->value;
+    const foresight::GameState& told = moment.objects.game->value;
     return Start{
         .from = "beliefs",
         .setup = *setup,
@@ -305,6 +323,7 @@ class Futures {
   const FuturesOptions options_;
   KnownGame game_;
   KnownTrees trees_;
+  ReplayedGame replayed_;
 };
 
 }  // namespace

@@ -25,11 +25,12 @@ struct FuturesOptions {
 /// them, each for `seconds` (1 .. 120), at most kMostPlayed pair-seconds in all.
 ///
 /// With `game` the moment is that of the game itself, agents' memories included, at "tick" of the game of "seed", by default
-/// now. Otherwise, or with "objects" (robot/app/asked_moment.h), it is what the robot believed, whose own side is home.
+/// now. With "objects" (robot/app/asked_moment.h) of a recorded game it is the same, if that game can be played again
+/// (robot/app/replayed_game.h). Otherwise it is what the robot believed, whose own side is home.
 /// Then each pair has its own draw of what is uncertain, but the first one has the most likely places. The opponents play
 /// "baseline". The answer:
 ///
-///   {"ok", "from": "game" | "beliefs", "robot", "side": "home" | "away", "attacks": 1 | -1,
+///   {"ok", "from": "game" | "beliefs", "tick": of the game | null, "robot", "side": "home" | "away", "attacks": 1 | -1,
 ///    "before": places, "after": places, "strategies": […], "leaves": [{"path", "arguments": [{"name", "value"}]}],
 ///    "futures": null | sim/report/futures_report.h}
 ///

@@ -5,6 +5,7 @@ import { kNoEdit, moved } from "./question";
 const kAnswer = {
   ok: true,
   from: "game",
+  tick: 900,
   robot: "5/3",
   side: "away",
   attacks: -1,
@@ -33,7 +34,7 @@ const kAnswer = {
 
 test("a moment is read so that the own team attacks to the right", () => {
   const moment = changeableOf(kAnswer);
-  expect(moment.fromGame).toBe(true);
+  expect(moment.tick).toBe(900);
   expect(moment.teams).toEqual({ own: 5, opponent: 14 });
   expect(moment.places.ball).toEqual({ x: -1, y: 0.5, deviation: 0 });
   expect(moment.places.bodies).toEqual([
@@ -59,6 +60,7 @@ test("a moment is read so that the own team attacks to the right", () => {
 test("an answer of another form is empty", () => {
   const moment = changeableOf({ robot: 7, before: [], strategies: "all", leaves: [3], futures: null });
   expect(moment.robot).toBe("");
+  expect(moment.tick).toBeUndefined();
   expect(moment.places.bodies).toEqual([]);
   expect(moment.strategies).toEqual([]);
   expect(moment.futures).toBeUndefined();

@@ -34,8 +34,8 @@ export interface Futures {
 
 /** A moment that can be changed. All places are in team_field: the own team attacks towards +x. */
 export interface ChangeableMoment {
-  /** The simulated game itself, with the memories of its agents; otherwise what the robot believed. */
-  fromGame: boolean;
+  /** The simulated game itself, with the memories of its agents, at this tick; undefined: what the robot believed. */
+  tick: number | undefined;
   robot: string;
   /** The numbers of the two teams. */
   teams: Record<Side, number>;
@@ -105,7 +105,7 @@ export function changeableOf(answer: Json): ChangeableMoment {
     });
   const [paths, parting] = [objectOf(told["paths"]), objectOf(told["parting"])];
   return {
-    fromGame: answer["from"] === "game",
+    tick: typeof answer["tick"] === "number" ? answer["tick"] : undefined,
     robot,
     teams,
     attacks,

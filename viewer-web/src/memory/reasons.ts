@@ -5,6 +5,7 @@ import type { Entry } from "./history";
 import type { Memory } from "./memory";
 import type { MemoryObject, RobotName } from "./memory_object";
 import type { RobotObject } from "./schema";
+import { kSimulation } from "./simulation";
 import { kTruth } from "./vocabulary";
 
 export const kWhy = "/decision/why";
@@ -55,6 +56,7 @@ export function knownThen(memory: Memory, robot: RobotName): KnownThen | undefin
   };
   for (const name of kRead) add(name, memory.of(robot, name));
   add("truth", memory.world(kTruth));
+  add("simulation", memory.world(kSimulation));
   return { robot, at_ns, entries };
 }
 

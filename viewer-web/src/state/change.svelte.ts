@@ -46,9 +46,9 @@ export class Change {
   get robot(): string {
     return this.#taken?.robot ?? "";
   }
-  /** [ticks] Of the simulated game. */
-  get tick(): number | undefined {
-    return this.#taken?.tick;
+  /** Whether the server plays the game, so that it can go on with the change. */
+  get plays(): boolean {
+    return this.#taken?.tick !== undefined;
   }
   get places(): Situation {
     return this.moment?.places ?? { ball: undefined, bodies: [] };

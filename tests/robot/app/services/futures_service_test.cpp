@@ -30,6 +30,21 @@ struct FuturesService : ::testing::Test {
   }
   /// Asks a program that plays no game itself.
   json ask_other(const json& request) { return tests::call(others, "/decision/futures", request); }
+  /// The newest objects of a robot and of the game, as a client sends them.
+  json sent(const std::string& robot) {
+    json request = {{"robot", robot}, {"objects", json::object()}, {"pairs", 0}};
+    const auto add = [&](const std::string& name, const std::string& topic) {
+      const auto version = channels.find(topic)->newest();
+      ASSERT_TRUE(version) << topic;
+      request["objects"][name] = {{"capture_ns", std::to_string(version->capture_ns())},
+                                  {"data", to_base64(std::string(version->bytes()))}};
+      if (name == "decision") request["at_ns"] = std::to_string(version->capture_ns());
+    };
+    for (const char* name : {"ball", "pose", "team", "opponents", "game", "motion_status", "decision"})
+      add(name, "/" + robot + "/" + name);
+    add("truth", "/truth/world"), add("simulation", "/sim/state");
+    return request;
+  }
   std::uint64_t hash() { return sim::hash_of(*body->state_at({}, {})); }
   static json robot_in(const json& places, const std::string& name) {
     for (const json& robot : places["robots"])
@@ -127,6 +142,31 @@ TEST_F(FuturesService, BeliefsAreTheStartWithoutAGame) {
   const json& paths = answer["futures"]["paths"]["without"];
   EXPECT_NE(paths[1]["ball"][0], paths[2]["ball"][0]);
   EXPECT_EQ(ask_other(request), answer) << "the same question has the same answer";
+}
+
+TEST_F(FuturesService, ARecordedGameIsPlayedAgain) {
+  json request = sent("14/2");
+  request["pairs"] = 2, request["seconds"] = 10;
+  json answer = ask_other(request);
+  ASSERT_EQ(answer["ok"], true) << answer.dump();
+  EXPECT_EQ(answer["from"], "game");
+  EXPECT_EQ(answer["tick"], 1500);
+  const json live = ask({{"robot", "14/2"}, {"pairs", 2}, {"seconds", 10}});
+  EXPECT_EQ(answer["futures"], live["futures"]) << "with the memories of all agents";
+  // another moment of the same game, and a robot of the other side
+  ASSERT_TRUE(body->step(200));
+  answer = ask_other(sent("5/3"));
+  EXPECT_EQ(answer["tick"], 1700);
+  EXPECT_EQ(answer["side"], "away");
+}
+
+TEST_F(FuturesService, ARecordedGameThatWentAnotherWayBeginsWithBeliefs) {
+  ASSERT_EQ(ask({{"robot", "14/2"}, {"edits", {"set ball 0.5 0.5"}}, {"tick", 1500}}, "/sim/edit")["ok"], true);
+  ASSERT_TRUE(body->step(30));
+  EXPECT_EQ(ask_other(sent("14/2"))["from"], "beliefs");
+  json request = sent("14/2");
+  request["objects"]["simulation"]["data"] = "////";
+  EXPECT_EQ(ask_other(request)["error"], "/decision/futures: objects.simulation.data is no message of that object");
 }
 
 TEST_F(FuturesService, AnOpponentIsTheHomeSideOfItsOwnBeliefs) {
