@@ -12,6 +12,8 @@ const kWide = { width: 1600, height: 950 };
 async function pausedInPlay(t) {
   const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--player", "2", "--seed", "7");
   const live = await Live.open(t, server);
+  await live.call("/sim/pause");
+  await live.call("/sim/seed", { seed: 7 }); // from its first tick
   await live.call("/sim/step", { ticks: 1800 }); // through ready and set
   await live.call("/sim/step", { ticks: 300 });
   return { server, live };
@@ -136,13 +138,14 @@ test("the answer to why not is tried out", async (t) => {
   assert.deepEqual(problems, []);
 });
 
-/** Opens the end of a recording in Debug, and the change of its moment. */
-async function openChange(t, server) {
+/** Opens a recording in Debug, `back` [s] before its end, and the change of that moment. */
+async function openChange(t, server, back = 0) {
   const { page, problems } = await open(t, `${server.http}/#/14/2/debug`);
   const debug = page.getByRole("region", { name: "Debug", exact: true });
   await page.getByText("a recording").waitFor();
   await page.keyboard.press("Space");
   await page.keyboard.press("End");
+  for (let second = 0; second < back; ++second) await page.keyboard.press("ArrowLeft");
   await debug.getByRole("button", { name: "change…" }).click();
   return { page, problems, panel: debug.getByRole("region", { name: "Change and run again" }) };
 }
@@ -181,7 +184,7 @@ test("a moment of a recorded game is changed from the game itself, which is play
     file,
   );
   assert.equal(made.status, 0, made.stderr);
-  const { problems, panel } = await openChange(t, await play(t, folder, file));
+  const { problems, panel } = await openChange(t, await play(t, folder, file), 5);
   await panel.getByText(/^the game at 1:3\d, as 14\/2 plays it/).waitFor();
   assert.equal(await panel.getByRole("button", { name: "Play on with it" }).count(), 0, "nobody plays it");
   assert.deepEqual(problems, []);

@@ -16,6 +16,8 @@ async function pausedInPlay(t, topics = kTopics) {
   const server = await start(t, temporaryFolder(t), "foresight-robot", "--body", "sim", "--player", "2", "--seed", "7");
   const live = await Live.open(t, server);
   for (const topic of topics) await live.subscribe(topic);
+  await live.call("/sim/pause");
+  await live.call("/sim/seed", { seed: 7 }); // from its first tick
   await live.call("/sim/step", { ticks: 1800 }); // through ready and set
   await live.call("/sim/step", { ticks: 300 });
   return { server, live };
