@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 namespace sim::debug {
@@ -84,7 +83,7 @@ void Timeline::advance(State& state, referee::Events& events) {
   step(params_at(state.world.tick), state, events);
   const Tick tick = state.world.tick;
   const bool is_edited =
-      std::ranges::any_of(parts_ | std::views::drop(1), [&](const Part& part) { return part.from == tick; });
+      std::any_of(parts_.begin() + 1, parts_.end(), [&](const Part& part) { return part.from == tick; });
   if (is_edited) state = frame_before(tick).state;
   if (players_.cast) players_.state = state;
   played_ = std::max(played_, tick);

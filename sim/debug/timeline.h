@@ -77,7 +77,10 @@ class Timeline {
   struct Players {
     Players() = default;
     Players(const Players&) {}
-    Players& operator=(const Players&) { return cast.reset(), *this; }
+    Players& operator=(const Players& other) {
+      if (this != &other) cast.reset();
+      return *this;
+    }
 
     std::unique_ptr<contest::Cast> cast;
     Params params;                // of `part`, with these behaviours
