@@ -27,7 +27,7 @@ bool is_embedded(const char* kind, const std::string& name) {
 void ReplayedGame::begin(const foresight::Simulation& recorded, KnownTrees& trees) {
   for (auto& game : games_) game.reset();
   const foresight::SimulatedTeam* const teams[2] = {&recorded.home(), &recorded.away()};
-  const std::string rules = recorded.rules();
+  const std::string& rules = recorded.rules();
   if (!is_embedded("rules", rules)) return;
   for (const auto* team : teams)
     if (!is_embedded("models", team->models())) return;

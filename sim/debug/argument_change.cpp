@@ -91,7 +91,7 @@ std::string leaves_text(const agent::Tree& tree) {
   for (std::size_t leaf = tree.leaves.size(); leaf-- > 0;) {
     std::string arguments;
     for (const auto& [name, value] : arguments_of(tree, leaf))
-      arguments += (arguments.empty() ? "" : ", ") + name + " " + value;
+      arguments.append(arguments.empty() ? "" : ", ").append(name).append(" ").append(value);
     text += robot::formatted("%-44s %s\n", tree.leaf_words[leaf].path.c_str(), arguments.c_str());
   }
   return text;
