@@ -63,7 +63,7 @@ TEST_F(OldSessions, AListThatMustNotWaitHasEachSessionAtOnceAndItsStreamsSoon) {
   EXPECT_EQ(at_once[0].id(), "new");
   EXPECT_EQ(at_once[0].info.name, "half");
   EXPECT_EQ(at_once[0].state, SessionState::complete);
-  EXPECT_FALSE(at_once[0].read);
+  EXPECT_EQ(at_once[0].streams.size(), at_once[0].read ? 1u : 0u);  // the other thread may have been faster
   ASSERT_TRUE(tests::eventually([&] { return store.list_within(0)[0].read; }));
   EXPECT_EQ(store.list_within(0)[0].streams.size(), 1u);
   EXPECT_EQ(store.list_within(60 * kSecond)[0].message, "");
