@@ -27,7 +27,8 @@ export const lengthOf = (paths: Path[]): number =>
 const plainPart = (at: number): [number, number] => (at > 0 ? [Math.max(0, at - kPlain), at] : [0, kPlain]);
 
 /**
- * Draws the part before `at` [s] in full and the rest faintly; with `at` 0, the beginning in full. Robots in `colour`, the ball in `ball`.
+ * Draws the part before `at` [s] in full and the rest faintly; with `at` 0, the beginning in full. Robots in `colour`, the
+ * ball in `ball`.
  */
 export function drawPaths(
   pen: Pen,

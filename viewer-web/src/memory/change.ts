@@ -1,5 +1,6 @@
 // The debugger's services: a moment with and without a change, and the futures of both.
 
+import { listOf, objectOf, textOf, type Json } from "../source/json";
 import type { Body, Path, Place, Side, Situation } from "./forecast";
 import { bodyOf, movedIn, thingOf, turned, type Edit, type Standing, type Thing } from "./question";
 
@@ -48,10 +49,6 @@ export interface ChangeableMoment {
   futures: Futures | undefined;
 }
 
-type Json = Record<string, unknown>;
-const objectOf = (value: unknown): Json => (typeof value === "object" && value !== null ? (value as Json) : {});
-const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : []);
-const text = (value: unknown): string => (typeof value === "string" ? value : "");
 const amount = (value: unknown): number => (typeof value === "number" ? value : NaN);
 
 const effectOf = (value: unknown): Effect => {
@@ -67,8 +64,8 @@ const effectOf = (value: unknown): Effect => {
 /** Reads the answer of kFutures. A part that is missing or of another type becomes empty. */
 export function changeableOf(answer: Json): ChangeableMoment {
   const attacks = answer["attacks"] === -1 ? -1 : 1;
-  const robot = text(answer["robot"]);
-  const own = text(answer["side"]);
+  const robot = textOf(answer["robot"]);
+  const own = textOf(answer["side"]);
   const player = Number(robot.split("/")[1]);
   const teams: Record<Side, number> = { own: Number(robot.split("/")[0]), opponent: 0 };
   const placeOf = (x: unknown, y: unknown): Place => ({
@@ -79,7 +76,7 @@ export function changeableOf(answer: Json): ChangeableMoment {
   const before = objectOf(answer["before"]);
   const bodies = listOf(before["robots"]).map((one): Body => {
     const told = objectOf(one);
-    const [team, number] = text(told["name"]).split("/").map(Number);
+    const [team, number] = textOf(told["name"]).split("/").map(Number);
     const side: Side = told["side"] === own ? "own" : "opponent";
     teams[side] = team ?? 0;
     return {
@@ -110,13 +107,13 @@ export function changeableOf(answer: Json): ChangeableMoment {
     teams,
     attacks,
     places: { ball: { ...placeOf(ball["x"], ball["y"]), deviation: 0 }, bodies },
-    strategies: listOf(answer["strategies"]).map(text),
+    strategies: listOf(answer["strategies"]).map(textOf),
     leaves: listOf(answer["leaves"]).map((one) => {
       const leaf = objectOf(one);
       const given = listOf(leaf["arguments"]).map(objectOf);
       return {
-        path: text(leaf["path"]),
-        arguments: given.map(({ name, value }) => ({ name: text(name), value: text(value) })),
+        path: textOf(leaf["path"]),
+        arguments: given.map(({ name, value }) => ({ name: textOf(name), value: textOf(value) })),
       };
     }),
     futures: answer["futures"]
@@ -128,9 +125,9 @@ export function changeableOf(answer: Json): ChangeableMoment {
           concedes: effectOf(told["concedes"]),
           goals: effectOf(told["goals"]),
           parting:
-            text(parting["field"]) === ""
+            textOf(parting["field"]) === ""
               ? undefined
-              : { seconds: amount(parting["seconds"]), field: text(parting["field"]) },
+              : { seconds: amount(parting["seconds"]), field: textOf(parting["field"]) },
           without: pathsOf(paths["without"]),
           with: pathsOf(paths["with"]),
         }

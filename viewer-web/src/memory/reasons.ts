@@ -1,6 +1,7 @@
 // The reasons of a decision, as a server computes them: the question with the objects of the shown moment, and the answer.
 
 import { base64Encode } from "@bufbuild/protobuf/wire";
+import { listOf, objectOf, textOf, type Json } from "../source/json";
 import type { Entry } from "./history";
 import type { Memory } from "./memory";
 import type { MemoryObject, RobotName } from "./memory_object";
@@ -130,26 +131,23 @@ export interface Alternative {
   beliefs: string[] | undefined;
 }
 
-type Json = Record<string, unknown>;
-const objectOf = (value: unknown): Json => (typeof value === "object" && value !== null ? (value as Json) : {});
-const listOf = (value: unknown): Json[] => (Array.isArray(value) ? value.map(objectOf) : []);
-const text = (value: unknown): string => (typeof value === "string" ? value : "");
+const objectsOf = (value: unknown): Json[] => listOf(value).map(objectOf);
 const maybe = (value: unknown): string | undefined => (typeof value === "string" ? value : undefined);
 const count = (value: unknown): number => (typeof value === "number" ? value : 0);
 
 /** Reads the answer of kWhy. A part that is missing or of another type becomes empty. */
 export function reasonsOf(answer: Json, { robot, at_ns }: Pick<KnownThen, "robot" | "at_ns">): Reasons {
   const told = objectOf(answer["reasons"]);
-  const comparisons = listOf(told["comparisons"]).map((one): Comparison => ({
+  const comparisons = objectsOf(told["comparisons"]).map((one): Comparison => ({
     node: count(one["node"]),
     part: count(one["part"]),
-    condition: text(one["condition"]),
+    condition: textOf(one["condition"]),
     result: one["result"] === true,
-    value: text(one["value"]),
+    value: textOf(one["value"]),
     threshold: maybe(one["threshold"]),
   }));
   const byNode = new Map(comparisons.map((comparison) => [comparison.node, comparison]));
-  const path = listOf(told["path"]).flatMap((one): Reason[] => {
+  const path = objectsOf(told["path"]).flatMap((one): Reason[] => {
     const comparison = byNode.get(one["node"] as number);
     if (!comparison) return [];
     const other = objectOf(one["other"]);
@@ -161,9 +159,11 @@ export function reasonsOf(answer: Json, { robot, at_ns }: Pick<KnownThen, "robot
         margin: maybe(one["margin"]),
         flip: maybe(one["flip"]),
         other:
-          maybe(other["skill"]) === undefined ? undefined : { skill: text(other["skill"]), leaf: text(other["leaf"]) },
-        sources: listOf(one["sources"]).map((source) => ({
-          text: text(source["text"]),
+          maybe(other["skill"]) === undefined
+            ? undefined
+            : { skill: textOf(other["skill"]), leaf: textOf(other["leaf"]) },
+        sources: objectsOf(one["sources"]).map((source) => ({
+          text: textOf(source["text"]),
           error: typeof source["error"] === "number" ? source["error"] : undefined,
         })),
       },
@@ -172,14 +172,14 @@ export function reasonsOf(answer: Json, { robot, at_ns }: Pick<KnownThen, "robot
   return {
     robot,
     at_ns,
-    sentence: text(told["sentence"]),
-    skill: text(told["skill"]),
-    role: text(told["role"]),
-    strategy: text(told["strategy"]),
+    sentence: textOf(told["sentence"]),
+    skill: textOf(told["skill"]),
+    role: textOf(told["role"]),
+    strategy: textOf(told["strategy"]),
     plays: told["plays"] === true,
-    parts: listOf(told["parts"]).map((part) => ({
-      path: text(part["path"]),
-      name: text(part["name"]),
+    parts: objectsOf(told["parts"]).map((part) => ({
+      path: textOf(part["path"]),
+      name: textOf(part["name"]),
       depth: count(part["depth"]),
       skill: maybe(part["skill"]),
       taken: part["taken"] === true,
@@ -199,19 +199,19 @@ export function alternativeOf(answer: Json): Alternative {
   return {
     kind: kinds.find((kind) => kind === told["kind"]) ?? "unsure",
     leaf: maybe(told["leaf"]),
-    features: listOf(told["features"]).map((one) => ({
-      name: text(one["name"]),
-      before: text(one["before"]),
-      text: text(one["text"]),
+    features: objectsOf(told["features"]).map((one) => ({
+      name: textOf(one["name"]),
+      before: textOf(one["before"]),
+      text: textOf(one["text"]),
     })),
     thresholds: Array.isArray(told["thresholds"])
-      ? listOf(told["thresholds"]).map((one) => ({
+      ? objectsOf(told["thresholds"]).map((one) => ({
           node: count(one["node"]),
-          condition: text(one["condition"]),
-          before: text(one["before"]),
-          after: text(one["after"]),
+          condition: textOf(one["condition"]),
+          before: textOf(one["before"]),
+          after: textOf(one["after"]),
         }))
       : undefined,
-    beliefs: Array.isArray(beliefs) ? beliefs.map(text) : undefined,
+    beliefs: Array.isArray(beliefs) ? beliefs.map(textOf) : undefined,
   };
 }

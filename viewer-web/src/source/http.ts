@@ -1,5 +1,7 @@
 // The robot's HTTP interface to its recordings. Nothing in the answers is trusted.
 
+import { isObject, listOf, textOf, type Json } from "./json";
+
 export interface Stream {
   /** Empty if the file does not contain it. */
   topic: string;
@@ -34,18 +36,13 @@ export interface Session {
   streams: Stream[];
 }
 
-type Json = Record<string, unknown>;
-
-const isObject = (value: unknown): value is Json =>
-  typeof value === "object" && value !== null && !Array.isArray(value);
-const objects = (value: unknown): Json[] => (Array.isArray(value) ? value.filter(isObject) : []);
-const text = (value: unknown): string => (typeof value === "string" ? value : "");
-const texts = (value: unknown): string[] => (Array.isArray(value) ? value.map(text).filter(Boolean) : []);
-const amount = (value: unknown): number => (typeof value === "number" ? value : Number(text(value) || NaN));
+const objects = (value: unknown): Json[] => listOf(value).filter(isObject);
+const texts = (value: unknown): string[] => listOf(value).map(textOf).filter(Boolean);
+const amount = (value: unknown): number => (typeof value === "number" ? value : Number(textOf(value) || NaN));
 const time = (value: unknown): bigint | undefined =>
-  /^[1-9]\d{0,19}$/.test(text(value)) ? BigInt(text(value)) : undefined;
+  /^[1-9]\d{0,19}$/.test(textOf(value)) ? BigInt(textOf(value)) : undefined;
 /** Accepts only paths on the robot itself: a link must not lead to `javascript:` or to another host. */
-const path = (value: unknown): string => (/^\/(?![/\\])/.test(text(value)) ? text(value) : "");
+const path = (value: unknown): string => (/^\/(?![/\\])/.test(textOf(value)) ? textOf(value) : "");
 
 const kStates: SessionState[] = ["recording", "complete", "recovered", "damaged"];
 
@@ -53,26 +50,26 @@ const kStates: SessionState[] = ["recording", "complete", "recovered", "damaged"
 export function sessionsOf(answer: unknown): Session[] | undefined {
   if (!isObject(answer) || !Array.isArray(answer["sessions"])) return undefined;
   return objects(answer["sessions"])
-    .filter((entry) => text(entry["session"]) !== "")
+    .filter((entry) => textOf(entry["session"]) !== "")
     .map((entry) => ({
-      session: text(entry["session"]),
-      name: text(entry["name"]),
-      robot: text(entry["robot"]),
-      profile: text(entry["profile"]),
-      build: text(entry["build"]),
+      session: textOf(entry["session"]),
+      name: textOf(entry["name"]),
+      robot: textOf(entry["robot"]),
+      profile: textOf(entry["profile"]),
+      build: textOf(entry["build"]),
       start_ns: time(entry["start_ns"]),
       end_ns: time(entry["end_ns"]),
-      behind_ns: /^-?[1-9]\d{0,18}$/.test(text(entry["behind_ns"])) ? BigInt(text(entry["behind_ns"])) : 0n,
+      behind_ns: /^-?[1-9]\d{0,18}$/.test(textOf(entry["behind_ns"])) ? BigInt(textOf(entry["behind_ns"])) : 0n,
       size_bytes: amount(entry["size_bytes"]),
       state: kStates.find((state) => state === entry["state"]) ?? "unknown",
-      message: text(entry["message"]),
+      message: textOf(entry["message"]),
       kept: entry["kept"] === true,
       only: texts(entry["only"]),
       url: path(entry["url"]),
       foxglove_url: path(entry["foxglove_url"]),
       streams: objects(entry["streams"]).map((stream) => ({
-        topic: text(stream["topic"]),
-        file: text(stream["file"]),
+        topic: textOf(stream["topic"]),
+        file: textOf(stream["file"]),
         url: path(stream["url"]),
         messages: amount(stream["messages"]),
         size_bytes: amount(stream["size_bytes"]),

@@ -1,5 +1,7 @@
 // Text frames of the Foxglove WebSocket protocol v1: one JSON object with an `op`. Nothing in them is trusted.
 
+import { isObject, listOf, textOf } from "./json";
+
 /** A stream that the server offers. `topic` identifies it; its ids are valid for one connection only. */
 export interface Channel {
   id: number;
@@ -35,30 +37,24 @@ export type ServerText =
   | { op: "unknown"; name: string }
   | { op: "malformed"; why: string };
 
-type Fields = Record<string, unknown>;
-
-const isFields = (value: unknown): value is Fields =>
-  typeof value === "object" && value !== null && !Array.isArray(value);
 const isText = (value: unknown): value is string => typeof value === "string";
 const isId = (value: unknown): value is number =>
   typeof value === "number" && Number.isInteger(value) && value >= 0 && value <= 0xffffffff;
 
-const textOf = (value: unknown): string => (isText(value) ? value : "");
 /** Converts the protocol's {"sec": 1, "nsec": 5} to ns. */
 function timeOf(value: unknown): bigint | undefined {
-  const [sec, nsec] = isFields(value) ? [value["sec"], value["nsec"]] : [];
+  const [sec, nsec] = isObject(value) ? [value["sec"], value["nsec"]] : [];
   const isCount = (part: unknown): part is number =>
     typeof part === "number" && Number.isSafeInteger(part) && part >= 0;
   return isCount(sec) && isCount(nsec) ? BigInt(sec) * 1_000_000_000n + BigInt(nsec) : undefined;
 }
-const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : []);
 const textMapOf = (value: unknown): Record<string, string> =>
   Object.fromEntries(
-    Object.entries(isFields(value) ? value : {}).filter((entry): entry is [string, string] => isText(entry[1])),
+    Object.entries(isObject(value) ? value : {}).filter((entry): entry is [string, string] => isText(entry[1])),
   );
 
 function channelOf(value: unknown): Channel[] {
-  if (!isFields(value) || !isId(value["id"]) || !isText(value["topic"]) || value["topic"] === "") return [];
+  if (!isObject(value) || !isId(value["id"]) || !isText(value["topic"]) || value["topic"] === "") return [];
   return [
     {
       id: value["id"],
@@ -79,7 +75,7 @@ export function readText(text: string): ServerText {
   } catch {
     return { op: "malformed", why: "text frame: not JSON" };
   }
-  if (!isFields(fields) || !isText(fields["op"]))
+  if (!isObject(fields) || !isText(fields["op"]))
     return { op: "malformed", why: "text frame: expected an object with 'op'" };
 
   switch (fields["op"]) {
@@ -113,14 +109,14 @@ export function readText(text: string): ServerText {
       return {
         op: "parameterValues",
         parameters: listOf(fields["parameters"]).flatMap((entry) =>
-          isFields(entry) && isText(entry["name"]) ? [{ name: entry["name"], value: entry["value"] }] : [],
+          isObject(entry) && isText(entry["name"]) ? [{ name: entry["name"], value: entry["value"] }] : [],
         ),
       };
     case "advertiseServices":
       return {
         op: "advertiseServices",
         services: listOf(fields["services"]).flatMap((entry) =>
-          isFields(entry) && isId(entry["id"]) && isText(entry["name"])
+          isObject(entry) && isId(entry["id"]) && isText(entry["name"])
             ? [{ id: entry["id"], name: entry["name"] }]
             : [],
         ),

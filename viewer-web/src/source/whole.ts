@@ -1,7 +1,7 @@
 // Answers of a server about the whole of the recording that it plays, also about parts that the page has not seen.
 // Nothing in the answers is trusted.
 
-type Json = Record<string, unknown>;
+import { isObject, listOf, textOf, type Json } from "./json";
 
 const kPath = "/api/whole/";
 const kPatienceMs = 120_000; // a first reading of a recording of hours
@@ -73,20 +73,16 @@ export const fetchNumbers = async (
 export const fetchRuns = async (topic: string, fields: string[], signal?: AbortSignal): Promise<WholeRun[]> =>
   runsIn(await ask("runs", { topic, fields: fields.join(" ") }, signal));
 
-const isObject = (value: unknown): value is Json =>
-  typeof value === "object" && value !== null && !Array.isArray(value);
-const listIn = (value: unknown): unknown[] => (Array.isArray(value) ? (value as unknown[]) : []);
-const textIn = (value: unknown): string => (typeof value === "string" ? value : "");
 const timeIn = (value: unknown): bigint | undefined =>
-  /^\d{1,20}$/.test(textIn(value)) ? BigInt(textIn(value)) : undefined;
+  /^\d{1,20}$/.test(textOf(value)) ? BigInt(textOf(value)) : undefined;
 const isAmount = (value: unknown): value is number => typeof value === "number" && Number.isFinite(value) && value >= 0;
 
 /** Returns the events of an answer. Those without a time are left out. */
 export function eventsIn(answer: Json): WholeEvent[] {
-  return listIn(answer["events"]).flatMap((event) => {
+  return listOf(answer["events"]).flatMap((event) => {
     const log_ns = isObject(event) ? timeIn(event["at"]) : undefined;
     if (!isObject(event) || log_ns === undefined) return [];
-    return [{ log_ns, kind: textIn(event["kind"]), text: textIn(event["text"]), robot: textIn(event["robot"]) }];
+    return [{ log_ns, kind: textOf(event["kind"]), text: textOf(event["text"]), robot: textOf(event["robot"]) }];
   });
 }
 
@@ -95,33 +91,33 @@ export function numbersIn(answer: Json): WholeNumbers[] {
   const [from_ns, step_ns] = [timeIn(answer["from"]), answer["step_ns"]];
   if (from_ns === undefined || !isAmount(step_ns) || step_ns < 1)
     throw new Error("The summary of the recording does not say its time.");
-  return listIn(answer["fields"])
+  return listOf(answer["fields"])
     .filter(isObject)
     .map((one) => {
       const [least, most, mean] = ["least", "most", "mean"].map((name) => valuesIn(one[name]));
       const count = Math.min(least!.length, most!.length, mean!.length);
       return {
-        field: textIn(one["field"]),
+        field: textOf(one["field"]),
         from_ns,
         step_ns,
         least: least!.subarray(0, count),
         most: most!.subarray(0, count),
         mean: mean!.subarray(0, count),
-        problem: textIn(one["problem"]),
+        problem: textOf(one["problem"]),
       };
     });
 }
 
 const valuesIn = (value: unknown): Float64Array =>
-  Float64Array.from(listIn(value), (one) => (typeof one === "number" ? one : NaN));
+  Float64Array.from(listOf(value), (one) => (typeof one === "number" ? one : NaN));
 
 /** Returns the runs of an answer. Throws a sentence if it has no time; runs that cannot be read are left out. */
 export function runsIn(answer: Json): WholeRun[] {
   const start_ns = timeIn(answer["from"]);
   if (start_ns === undefined) throw new Error("The runs of the recording do not say their time.");
-  const words = listIn(answer["words"]).map(textIn);
-  return listIn(answer["runs"]).flatMap((run) => {
-    const [begin, length, ...indices] = listIn(run);
+  const words = listOf(answer["words"]).map(textOf);
+  return listOf(answer["runs"]).flatMap((run) => {
+    const [begin, length, ...indices] = listOf(run);
     if (!isAmount(begin) || !isAmount(length)) return [];
     const from_ns = start_ns + BigInt(Math.round(begin));
     return [
