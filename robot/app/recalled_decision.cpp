@@ -78,8 +78,7 @@ KnownTrees::KnownTrees(const std::vector<std::string>& strategies) {
 Result<KnownTrees::Tree> KnownTrees::named(const std::string& name) {
   const auto found = std::ranges::find(trees_, name, [](const Tree& tree) { return tree->name(); });
   if (found != trees_.end()) return *found;
-  const auto embedded = sim::io::names_of("strategies");
-  if (std::ranges::find(embedded, name) == embedded.end())
+  if (!sim::io::is_embedded("strategies", name))
     return Error{"the robot plays '" + printable(name, 60) +
                  "', and this program does not know that tree: start it with --strategies FILE"};
   auto tree = sim::io::load_strategy(name);

@@ -1,6 +1,5 @@
 #include "robot/app/replayed_game.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "robot/bridge/to_messages.h"
@@ -17,29 +16,25 @@ constexpr sim::Tick kLongest = 30 * 60 * 60 * 2;  // [ticks] two hours of game
 /// Returns the name without the changes behind it: "spl2025" of "spl2025:5,half_duration=60".
 std::string plain(const std::string& name) { return name.substr(0, name.find_first_of(":,")); }
 
-bool is_embedded(const char* kind, const std::string& name) {
-  const auto known = sim::io::names_of(kind);
-  return std::ranges::find(known, plain(name)) != known.end();
-}
-
 }  // namespace
 
 void ReplayedGame::begin(const foresight::Simulation& recorded, KnownTrees& trees) {
   for (auto& game : games_) game.reset();
   const foresight::SimulatedTeam* const teams[2] = {&recorded.home(), &recorded.away()};
   const std::string& rules = recorded.rules();
-  if (!is_embedded("rules", rules)) return;
+  if (!sim::io::is_embedded("rules", plain(rules))) return;
   for (const auto* team : teams)
-    if (!is_embedded("models", team->models())) return;
+    if (!sim::io::is_embedded("models", plain(team->models()))) return;
+  auto game = sim::io::prepare({.rules = rules, .models = {teams[0]->models(), teams[1]->models()}});
+  if (!game) return;
+  for (const int side : {0, 1}) {
+    const auto tree = trees.named(teams[side]->strategy());
+    if (!tree) return;
+    game->behaviours[side] = *tree;
+    game->params.teams[side].behaviour = tree->get();
+  }
   for (const sim::Pace pace : {sim::Pace::every_tick, sim::Pace::thinned}) {
-    auto game = sim::io::prepare({.rules = rules, .models = {teams[0]->models(), teams[1]->models()}, .pace = pace});
-    if (!game) return;
-    for (const int side : {0, 1}) {
-      const auto tree = trees.named(teams[side]->strategy());
-      if (!tree) return;
-      game->behaviours[side] = *tree;
-      game->params.teams[side].behaviour = tree->get();
-    }
+    game->params.pace = pace;
     sim::referee::Events events;
     const sim::State start = sim::begin(game->params, {recorded.seed()}, events);
     const auto setup = sim::debug::rest_of_game(*game, start);

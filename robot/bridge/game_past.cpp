@@ -44,14 +44,14 @@ void GamePast::note_choice(sim::Tick tick, int robot, const sim::agent::Choice& 
   if (choices_.empty() || !is_same(choices_.back().choice, choice)) choices_.push_back({tick, robot, choice});
 }
 
-bool GamePast::note_edit(const SimulatedGame& game) {
-  const sim::Tick now = game.state().world.tick;
+bool GamePast::note_edit(const SimulatedGame::Moment& edited) {
+  const sim::Tick now = edited.state.world.tick;
   std::erase_if(edits_, [&](const SimulatedGame::Moment& one) { return one.state.world.tick >= now; });
   if (edits_.size() == kEdits) return false;
   // the frame of this moment is that of the unedited game
   while (count_ > 1 && frames_[count_ - 1].state.world.tick >= now) --count_;
-  if (now == first()) frames_[0] = game.moment();
-  edits_.push_back(game.moment());
+  if (now == first()) frames_[0] = edited;
+  edits_.push_back(edited);
   return true;
 }
 

@@ -25,8 +25,8 @@ class GamePast {
   void note(const SimulatedGame& game);
   void note_choice(sim::Tick tick, int robot, const sim::agent::Choice& choice);
 
-  /// Keeps the present moment of `game`, which was edited. Returns false if there are kEdits already.
-  bool note_edit(const SimulatedGame& game);
+  /// Keeps the edited present moment. Returns false if there are kEdits already.
+  bool note_edit(const SimulatedGame::Moment& edited);
 
   sim::Tick first() const { return frames_[0].state.world.tick; }
 

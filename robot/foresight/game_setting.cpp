@@ -1,17 +1,12 @@
 #include "robot/foresight/game_setting.h"
 
-#include <algorithm>
-
 #include "robot/foresight/foreseer.h"
 #include "sim/io/source.h"
 
 namespace robot::foreseeing {
 namespace {
 
-std::string models_called(const std::string& name) {
-  const auto names = sim::io::names_of("models");
-  return std::ranges::find(names, name) == names.end() ? "match" : name;
-}
+std::string models_called(const std::string& name) { return sim::io::is_embedded("models", name) ? name : "match"; }
 
 }  // namespace
 

@@ -18,16 +18,11 @@ using robot::Error, robot::Result;
 
 namespace {
 
-io::Expected expected_of(const ParameterInfo& info, agent::NamedKicks& kicks) {
-  const agent::Range& range = info.range;
-  return {range.unit, range.least, range.most, range.names, range.names_kicks ? &kicks : nullptr};
-}
-
 /// Returns a value as a strategy may write it. Angles are in degrees.
 std::string text_of_value(const ParameterInfo& info, float value, agent::NamedKicks& kicks) {
   if (std::string_view(info.range.unit) == "rad")
     return robot::formatted("%.4g deg", static_cast<double>(kDegrees * value));
-  return io::value_text(value, expected_of(info, kicks));
+  return io::value_text(value, io::expected_of(info, &kicks));
 }
 
 /// Returns the place of the argument among those of the skill, or -1.
@@ -60,7 +55,7 @@ Result<agent::Tree> with_argument(agent::Tree tree, const std::string& where, st
     const int place = (*leaves)[leaf] ? place_of(skill, argument) : -1;
     if (place < 0) continue;
     const ParameterInfo& info = skill.parameters[place];
-    const auto read = io::Values().read(value, expected_of(info, tree.settings.kicks));
+    const auto read = io::Values().read(value, io::expected_of(info, &tree.settings.kicks));
     if (!read) return Error{"the argument '" + std::string(argument) + "' " + read.error()};
     for (int i = 0; info.range.alternative && i < skill.count; ++i) {
       const ParameterInfo& other = skill.parameters[i];

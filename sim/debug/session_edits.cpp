@@ -101,8 +101,7 @@ Session::Answer Session::set_threshold(const Words& words) {
   if (old.other != agent::kNoFeature || info.kind == agent::FeatureInfo::Kind::yes_no)
     return Error{"set threshold: node " + words[2] + " is '" + tree.node_words[*node].condition +
                  "', which has no threshold"};
-  const auto value =
-      io::Values().read(std::string_view(rest_of(words, 3)), {info.unit, info.least, info.most, info.names});
+  const auto value = io::Values().read(std::string_view(rest_of(words, 3)), io::expected_of(info));
   if (!value) return Error{"set threshold: the value for " + std::string(info.name) + " " + value.error()};
   agent::Tree changed = with_threshold(tree, *node, *value);
   const std::string condition = changed.node_words[*node].condition;

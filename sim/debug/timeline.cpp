@@ -82,9 +82,7 @@ void Timeline::advance(State& state, referee::Events& events) {
   assert(!players_.cast || players_.state.world.tick == state.world.tick);
   step(params_at(state.world.tick), state, events);
   const Tick tick = state.world.tick;
-  const bool is_edited =
-      std::any_of(parts_.begin() + 1, parts_.end(), [&](const Part& part) { return part.from == tick; });
-  if (is_edited) state = frame_before(tick).state;
+  if (begins_part(tick)) state = frame_before(tick).state;
   if (players_.cast) players_.state = state;
   played_ = std::max(played_, tick);
   if (tick <= frames_.back()->state.world.tick || !is_due(tick)) return;
@@ -99,11 +97,7 @@ void Timeline::keep(const State& state) {
 
 void Timeline::thin_out() {
   interval_ *= 2;
-  std::erase_if(frames_, [&](const auto& frame) {
-    const Tick tick = tick_of(frame);
-    const bool begins_part = std::ranges::any_of(parts_, [&](const Part& part) { return part.from == tick; });
-    return !begins_part && !is_due(tick);
-  });
+  std::erase_if(frames_, [&](const auto& frame) { return !begins_part(tick_of(frame)) && !is_due(tick_of(frame)); });
 }
 
 void Timeline::change(const State& state, SharedSetup setup) {

@@ -6,6 +6,7 @@
 // game is played again from its first tick.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -103,6 +104,9 @@ class Timeline {
   /// Begins the behaviours from outside anew, at the last moment before that tick to which they can be brought.
   void begin_players(Tick tick);
   void keep(const State& state);
+  bool begins_part(Tick tick) const {
+    return std::ranges::any_of(parts_, [&](const Part& part) { return part.from == tick; });
+  }
   bool is_due(Tick tick) const { return (tick - first()) % interval_ == 0; }
   void thin_out();
 

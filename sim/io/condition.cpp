@@ -59,7 +59,7 @@ std::string parse_right(std::string_view text, Values& values, Term& term) {
     term.other = other;
     return reason_against(info, info_of(other));
   }
-  const Result<float> threshold = values.read(text, {info.unit, info.least, info.most, info.names});
+  const Result<float> threshold = values.read(text, expected_of(info));
   if (threshold) {
     term.threshold = *threshold;
     return {};
@@ -111,9 +111,8 @@ std::string text_of(const Term& term) {
   for (const Operator& each : kOperators)
     if (each.comparison == term.comparison)
       return name + " " + std::string(trimmed(each.text)) + " " +
-             (term.other == agent::kNoFeature
-                  ? value_text(term.threshold, {info.unit, info.least, info.most, info.names})
-                  : info_of(term.other).name);
+             (term.other == agent::kNoFeature ? value_text(term.threshold, expected_of(info))
+                                              : info_of(term.other).name);
   return name;
 }
 

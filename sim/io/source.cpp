@@ -1,5 +1,7 @@
 #include "sim/io/source.h"
 
+#include <algorithm>
+
 #include "robot/core/files.h"
 #include "sim/io/embedded.h"
 #include "sim/io/words.h"
@@ -14,6 +16,11 @@ std::vector<std::string_view> names_of(std::string_view kind) {
   for (const Embedded& file : embedded_files())
     if (file.kind == kind) names.push_back(file.name);
   return names;
+}
+
+bool is_embedded(std::string_view kind, std::string_view name) {
+  return std::ranges::any_of(embedded_files(),
+                             [&](const Embedded& file) { return file.kind == kind && file.name == name; });
 }
 
 bool is_path(std::string_view name) { return name.find('/') != name.npos || name.ends_with(".json"); }

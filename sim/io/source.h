@@ -21,6 +21,9 @@ struct Source {
 /// ascending.
 std::vector<std::string_view> names_of(std::string_view kind);
 
+/// Returns whether an embedded file of that kind has this name.
+bool is_embedded(std::string_view kind, std::string_view name);
+
 /// Returns whether `name` is a path: it contains '/' or ends in ".json". Otherwise it is an embedded name.
 bool is_path(std::string_view name);
 

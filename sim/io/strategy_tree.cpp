@@ -199,12 +199,7 @@ class Compiler {
       if (info.range.point && !is_point)
         return refuse(place.at("." + key), "must be a point [x, y] in m, got " + shown(*given));
       const Json& value = info.range.point ? (*given)[static_cast<std::size_t>(info.range.coordinate)] : *given;
-      const Result<float> read =
-          values_.read(value, {.unit = info.range.unit,
-                               .least = info.range.least,
-                               .most = info.range.most,
-                               .names = info.range.names,
-                               .kicks = info.range.names_kicks ? &tree_.settings.kicks : nullptr});
+      const Result<float> read = values_.read(value, expected_of(info, &tree_.settings.kicks));
       if (!read) return refuse(place.at("." + std::string(info.name)), read.error());
       leaf.arguments[i] = *read;
     }

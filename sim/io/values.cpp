@@ -62,6 +62,13 @@ Result<float> named_kick(std::string_view name, const Expected& expected) {
 
 }  // namespace
 
+Expected expected_of(const agent::ParameterInfo& info, agent::NamedKicks* kicks) {
+  const agent::Range& range = info.range;
+  return {range.unit, range.least, range.most, range.names, range.names_kicks ? kicks : nullptr};
+}
+
+Expected expected_of(const agent::FeatureInfo& info) { return {info.unit, info.least, info.most, info.names}; }
+
 std::string value_text(float value, const Expected& expected) {
   if (expected.names) {
     const auto place = static_cast<std::size_t>(value), words = names_in(expected.names).size();

@@ -6,7 +6,9 @@
 #include <string_view>
 
 #include "robot/core/result.h"
+#include "sim/agent/features.h"
 #include "sim/agent/settings.h"
+#include "sim/agent/skills.h"
 #include "sim/io/json.h"
 
 namespace sim::io {
@@ -20,6 +22,11 @@ struct Expected {
   // Takes other words than `names`, as names of kicks: a word's value is its place in the list, after those of `names`.
   agent::NamedKicks* kicks = nullptr;
 };
+
+/// Returns what a leaf may give for that parameter. `kicks`: the kicks that it may name, if the parameter names kicks.
+Expected expected_of(const agent::ParameterInfo& info, agent::NamedKicks* kicks = nullptr);
+/// Returns what a feature may be compared with.
+Expected expected_of(const agent::FeatureInfo& info);
 
 /// Returns the value as Values reads it: "0.35 m", "2", "goal".
 std::string value_text(float value, const Expected& expected);

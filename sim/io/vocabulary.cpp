@@ -25,11 +25,6 @@ namespace {
 constexpr std::size_t kArgumentColumn = 16, kDefaultColumn = 52, kArgumentExampleColumn = 88;  // letters
 constexpr std::size_t kNameColumn = 24, kRangeColumn = 20, kExampleColumn = 34;                // letters
 
-Expected expected_of(const ParameterInfo& info) {
-  return {info.range.unit, info.range.least, info.range.most, info.range.names};
-}
-Expected expected_of(const FeatureInfo& info) { return {info.unit, info.least, info.most, info.names}; }
-
 std::vector<std::string_view> all_skills() {
   std::vector<std::string_view> names;
   for (int i = 0; i < agent::skill_count(); ++i) names.emplace_back(info_of(static_cast<Skill>(i)).name);

@@ -237,8 +237,8 @@ Result<void> SimBody::edit(const sim::State& state) {
   const std::lock_guard guard(lock_);
   if (game_.finished()) return Error{kOver};
   if (state.world.tick != game_.state().world.tick) return Error{"simulation: the game has moved on: pause it first"};
-  bridge::SimulatedGame edited = game_;
-  edited.change([&](sim::State& now) { now = state; });
+  bridge::SimulatedGame::Moment edited = game_.moment();
+  edited.state = state;
   if (!past_.note_edit(edited))
     return Error{"simulation: a game takes " + std::to_string(bridge::GamePast::kEdits) + " edits at most"};
   game_.change([&](sim::State& now) { now = state; });

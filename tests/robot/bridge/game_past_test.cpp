@@ -34,7 +34,7 @@ class PastGame {
   bool edit(sim::Vec2 ball) {
     game_->change([&](sim::State& state) { state.world.ball.position = ball; });
     hashes_[now()] = hash_now();
-    return past_.note_edit(*game_);
+    return past_.note_edit(game_->moment());
   }
 
   sim::Tick now() const { return game_->state().world.tick; }
