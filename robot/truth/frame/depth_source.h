@@ -1,4 +1,4 @@
-// What delivers depth images: a recording, a live sensor, a synthetic one.
+// The interface of everything that delivers depth images: a recording, a live sensor, a synthetic one.
 #pragma once
 
 #include <memory>

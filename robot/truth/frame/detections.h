@@ -1,4 +1,4 @@
-// What one sensor sees at one moment, on the field.
+// The view of one sensor at one moment: robots and ball, on the field.
 #pragma once
 
 #include <Eigen/Core>
