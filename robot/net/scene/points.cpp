@@ -1,42 +1,35 @@
 #include "robot/net/scene/points.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "robot/core/clock.h"
+#include "robot/net/scene/cloud_points.h"
 #include "robot/net/scene/schemas.h"
-#include "robot/net/scene/wire.h"
 
 namespace robot::net {
 namespace {
 
-constexpr std::uint32_t kStride = 16;
-constexpr double kSpacing = 0.05;         // [m] between the points of an edge
-constexpr std::size_t kMost = 1'000'000;  // bytes: a field has 60'000
+constexpr double kSpacing = 0.05;      // [m] between the points of an edge
+constexpr std::size_t kMost = 62'500;  // points: a field has 4'000
 
-/// Points in the layout of the cloud.
+/// Points along the edges of shapes.
 class Cloud {
  public:
   /// The following points are relative to the place of `shape`, turned with it, and of its colour.
   void begin(const Shape& shape) { shape_ = &shape; }
 
   void add(const Point3& at) {
-    if (data_.size() > kMost) return;
+    if (points.size() > kMost) return;
     // the pitch about y, then the heading about z
     const double sp = std::sin(shape_->pitch), cp = std::cos(shape_->pitch);
     const double sh = std::sin(shape_->heading), ch = std::cos(shape_->heading);
     const double ahead = cp * at.x + sp * at.z, up = cp * at.z - sp * at.x;
-    for (const double value :
-         {shape_->place.x + ch * ahead - sh * at.y, shape_->place.y + sh * ahead + ch * at.y, shape_->place.z + up}) {
-      const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-      for (int i = 0; i < 4; ++i) data_.push_back(static_cast<char>(bits >> 8 * i));
-    }
-    const Colour& colour = shape_->colour;
-    for (const double part : {colour.red, colour.green, colour.blue, colour.alpha})
-      data_.push_back(static_cast<char>(std::lround(255 * part)));
+    points.add(
+        {shape_->place.x + ch * ahead - sh * at.y, shape_->place.y + sh * ahead + ch * at.y, shape_->place.z + up},
+        shape_->colour);
   }
 
   void line(const Point3& from, const Point3& to) {
@@ -56,11 +49,10 @@ class Cloud {
     }
   }
 
-  const std::string& data() const { return data_; }
+  CloudPoints points;
 
  private:
   const Shape* shape_ = nullptr;
-  std::string data_;
 };
 
 void add_box(Cloud& cloud, const Point3& size) {
@@ -92,10 +84,6 @@ void add(Cloud& cloud, const Shape& shape) {
   }
 }
 
-Wire field(const char* name, std::uint32_t offset, std::uint64_t type) {
-  return Wire().text(1, name).fixed(2, offset).integer(3, type);
-}
-
 Convert clouds_of(const MakeScene& make) {
   constexpr std::uint64_t kPeriodNs = kSecond / 5;
   return
@@ -115,18 +103,7 @@ std::string point_cloud(const Scene& scene, std::uint64_t capture_ns) {
   for (const Entity& entity : scene)
     if (can_be_drawn(entity))
       for (const Shape& shape : entity.shapes) add(cloud, shape);
-  const Wire origin = Wire().number(1, 0).number(2, 0).number(3, 0);
-  Wire message;
-  message.message(1, timestamp(capture_ns)).text(2, kFieldFrame);
-  message.message(3, Wire().message(1, origin).message(2, Wire().number(4, 1))).fixed(4, kStride);
-  constexpr std::uint64_t kUint8 = 1, kFloat32 = 7;
-  std::uint32_t offset = 0;
-  for (const char* name : {"x", "y", "z"}) {
-    message.message(5, field(name, offset, kFloat32));
-    offset += 4;
-  }
-  for (const char* name : {"red", "green", "blue", "alpha"}) message.message(5, field(name, offset++, kUint8));
-  return message.text(6, cloud.data()).bytes();
+  return cloud.points.message(capture_ns);
 }
 
 std::vector<Derived> point_channels(const memory::ChannelInfo& source, const SceneSources& sources) {

@@ -11,7 +11,10 @@
 
 #include "proto/foresight/camera.pb.h"
 #include "proto/foresight/runtime.pb.h"
+#include "proto/foresight/truth.pb.h"
+#include "proto/foxglove/RawImage.pb.h"
 #include "robot/net/foxglove/derived_channels.h"
+#include "robot/net/scene/depth_points.h"
 #include "robot/net/scene/field_scene.h"
 #include "robot/net/scene/frames.h"
 #include "robot/net/scene/game_scene.h"
@@ -165,6 +168,31 @@ std::vector<Derived> of_camera(const memory::ChannelInfo& source) {
   return derived;
 }
 
+/// Returns the channel of points of a ground-truth sensor's depth image, "/truth/1/points" for "/truth/1/depth", at most
+/// 10 Hz.
+std::vector<Derived> of_depth(const memory::ChannelInfo& source, const SceneSources& sources) {
+  constexpr std::string_view kFamily = "/truth/", kEnding = "/depth";
+  constexpr std::uint64_t kPeriodNs = kSecond / 10;
+  if (!source.topic.starts_with(kFamily) || !source.topic.ends_with(kEnding)) return {};
+  const std::string sensor = source.topic.substr(0, source.topic.size() - kEnding.size());
+  return {{.info = info_of(sensor + "/points", kPointCloud),
+           .make_convert = [&sources, sensor]() -> Convert {
+             return [&sources, sensor, next_ns = std::uint64_t{0}](const memory::Version& version) mutable -> Bytes {
+               if (version.capture_ns() < next_ns && version.capture_ns() + kPeriodNs > next_ns)
+                 return std::optional<std::string>();
+               next_ns = version.capture_ns() + kPeriodNs;
+               ::foxglove::RawImage depth;
+               if (auto parsed = parse(version, depth); !parsed) return parsed.failure();
+               pb::TruthSensor known;
+               read_newest(sources.channels, sensor + "/sensor", known);
+               Result<std::string> points = depth_points(depth, known, version.capture_ns());
+               if (!points) return points.failure();
+               return std::optional(std::move(*points));
+             };
+           },
+           .needs_others = true}};
+}
+
 }  // namespace
 
 pb::Field known_field(const SceneSources& sources) {
@@ -188,6 +216,7 @@ MakeScene scene_of(const memory::ChannelInfo& source, const SceneSources& source
 std::vector<Derived> scene_channels(const memory::ChannelInfo& source, const SceneSources& sources) {
   if (source.message_encoding == "protobuf" && source.schema.name == pb::CameraMatrix::descriptor()->full_name())
     return of_camera(source);
+  if (source.schema.name == ::foxglove::RawImage::descriptor()->full_name()) return of_depth(source, sources);
   const MakeScene make = scene_of(source, sources);
   if (!make) return {};
   std::vector<Derived> derived;

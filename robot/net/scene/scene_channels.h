@@ -24,6 +24,7 @@ struct SceneSources {
 /// - foresight.GroundTruth: `<topic>/scene` (foxglove.SceneUpdate).
 /// - foresight.Pose: `<topic>/scene` with all beliefs of that robot, `<topic>/transforms` (foxglove.FrameTransforms).
 /// - foresight.CameraMatrix: `<topic>/transforms`, `<topic>/calibration` (foxglove.CameraCalibration).
+/// - foxglove.RawImage of a ground-truth sensor, `/truth/1/depth`: `/truth/1/points` (foxglove.PointCloud).
 /// - The topic `each_second`: `/field/scene` with the field.
 ///
 /// `sources` is read at each conversion, and outlives the streams.

@@ -1,0 +1,32 @@
+// Depth images, poses and detections of a sensor as messages. Units and frames are those of the .proto.
+//
+// Each to_proto clears and fills `message`. All are functions of their arguments, for any thread.
+#pragma once
+
+#include "proto/foresight/truth.pb.h"
+#include "proto/foxglove/RawImage.pb.h"
+#include "robot/truth/frame/depth_frame.h"
+#include "robot/truth/frame/detections.h"
+#include "robot/truth/frame/sensor_pose.h"
+
+namespace robot::app {
+
+namespace pb = foresight;
+
+/// Converts the depths to millimetres; more than 65.535 m is not measured. `frame_id` names the sensor: "truth 1".
+void to_proto(const truth::DepthFrame& frame, const std::string& frame_id, ::foxglove::RawImage& message);
+
+/// Converts the colours, if the frame has some. Returns false and fills nothing otherwise.
+bool colour_to_proto(const truth::DepthFrame& frame, const std::string& frame_id, ::foxglove::RawImage& message);
+
+void to_proto(const truth::Intrinsics& intrinsics, pb::TruthSensor::Pinhole& message);
+
+/// Converts everything but the expected errors.
+void to_proto(const truth::SensorPose& pose, pb::TruthSensor::SensorPlace& message);
+
+/// Fills the robots and the ball of `message`, and nothing else.
+void to_proto(const truth::Detections& detections, pb::TruthSensor& message);
+
+void to_proto(const Eigen::Matrix2d& covariance, pb::GroundTruth::Covariance& message);
+
+}  // namespace robot::app
