@@ -1,4 +1,4 @@
-// foresight-lab: imports, describes, plays and questions recordings, and relays live robots, on the lab's machine.
+// foresight-lab: imports, describes, plays and questions recordings, relays live robots and watches the field, on the lab's machine.
 #include "robot/app/build_id.h"
 #include "robot/app/lab/commands.h"
 
@@ -14,6 +14,7 @@ int lab_main(int argc, char** argv) {
   commands.push_back(info_command(app));
   commands.push_back(play_command(app));
   commands.push_back(relay_command(app));
+  commands.push_back(truth_command(app));
   commands.push_back(what_if_command(app));
   commands.push_back(situation_command(app));
   commands.push_back(redecide_command(app));

@@ -22,5 +22,6 @@ std::unique_ptr<Command> redecide_command(CLI::App& app);
 std::unique_ptr<Command> situation_command(CLI::App& app);
 std::unique_ptr<Command> what_if_command(CLI::App& app);
 std::unique_ptr<Command> synthesize_command(CLI::App& app);
+std::unique_ptr<Command> truth_command(CLI::App& app);
 
 }  // namespace robot::app

@@ -17,20 +17,25 @@ sim::State kick_off_of(const sim::Params& params, std::uint64_t seed) {
 
 }  // namespace
 
-Result<std::unique_ptr<WatchedGame>> WatchedGame::open(WatchedGameOptions options, OnTick on_tick) {
+Result<std::unique_ptr<WatchedGame>> WatchedGame::open(WatchedGameOptions options) {
   options.matchup.pace = sim::Pace::every_tick;  // otherwise bodies far from the ball move in leaps
   auto game = sim::io::prepare(options.matchup);
   if (!game) return game.failure();
-  return std::unique_ptr<WatchedGame>(new WatchedGame(std::move(options), std::move(*game), std::move(on_tick)));
+  return std::unique_ptr<WatchedGame>(new WatchedGame(std::move(options), std::move(*game)));
 }
 
-WatchedGame::WatchedGame(WatchedGameOptions options, sim::io::PreparedGame game, OnTick on_tick)
+WatchedGame::WatchedGame(WatchedGameOptions options, sim::io::PreparedGame game)
     : options_(std::move(options)),
       game_(std::move(game)),
-      on_tick_(std::move(on_tick)),
       state_(kick_off_of(game_.params, options_.seed)),
       seed_(options_.seed) {
   show();
+}
+
+void WatchedGame::tell_ticks(OnTick on_tick) {
+  const std::lock_guard guard(lock_);
+  on_tick_ = std::move(on_tick);
+  if (on_tick_) on_tick_(seen_.back().world, seen_.back().capture_ns);
 }
 
 float WatchedGame::ball_radius() const { return game_.params.teams[0].models.ball.radius; }

@@ -23,11 +23,13 @@ struct WatchedGameOptions {
 /// A game that is played as far as somebody looks at it. The same options give the same worlds. Any thread.
 class WatchedGame {
  public:
-  /// Calls `on_tick` in the thread that looks, once for each tick and in order, also for ticks that nobody looks at.
-  using OnTick = std::function<void(const sim::World&, std::uint64_t capture_ns)>;
-
   /// Returns an Error for a wrong name of rules, strategies or models.
-  static Result<std::unique_ptr<WatchedGame>> open(WatchedGameOptions options, OnTick on_tick);
+  static Result<std::unique_ptr<WatchedGame>> open(WatchedGameOptions options);
+
+  /// Calls `on_tick` now with the newest world, and then in the thread that looks, once for each tick and in order, also for
+  /// ticks that nobody looks at.
+  using OnTick = std::function<void(const sim::World&, std::uint64_t capture_ns)>;
+  void tell_ticks(OnTick on_tick);
 
   /// Returns the world at the newest tick that is not after `capture_ns`. Sensors may be up to kKept ticks apart; an older
   /// time gets the oldest kept world.
@@ -43,16 +45,16 @@ class WatchedGame {
     sim::World world;
   };
 
-  WatchedGame(WatchedGameOptions options, sim::io::PreparedGame game, OnTick on_tick);
+  WatchedGame(WatchedGameOptions options, sim::io::PreparedGame game);
 
   void play_tick();
   void show();
 
   const WatchedGameOptions options_;
   const sim::io::PreparedGame game_;
-  const OnTick on_tick_;
 
   Mutex lock_;  // guards all below
+  OnTick on_tick_;
   sim::State state_;
   std::uint64_t seed_;
   std::uint64_t ticks_ = 0;  // since begin_ns, of all games

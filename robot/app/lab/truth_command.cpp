@@ -1,0 +1,56 @@
+// foresight-lab truth: sensors beside the field report where ball and robots are.
+#include "robot/app/lab/commands.h"
+#include "robot/app/truth/watch_truth.h"
+#include "robot/truth/sensor/open_source.h"
+
+namespace robot::app {
+namespace {
+
+class TruthCommand final : public Command {
+ public:
+  explicit TruthCommand(CLI::App& app)
+      : Command(app.add_subcommand("truth",
+                                   "watch the field with depth cameras: ground truth for viewers and recordings")) {
+    options().footer(
+        "sources:\n  synthetic    a depth camera that looks at a simulated game; synthetic:2 is on the other side\n" +
+        truth::describe_sources());
+    options()
+        .add_option("--source", truth_.sources, "a sensor or a recording, see below; once for each sensor")
+        ->required();
+    options().add_option("--calibration", truth_.calibration,
+                         "file with the places of the sensors; the viewer's view Ground truth makes and improves it");
+    options()
+        .add_option("--rules", truth_.rules, "rules, which give the field: spl2012, spl2025:5, …")
+        ->capture_default_str();
+    options()
+        .add_option("--ball-radius", truth_.ball_radius, "[m] default: that of the rules")
+        ->check(CLI::Range(0.02, 0.15));
+    options().add_flag("!--no-orange", truth_.orange_ball, "the ball has no colour of its own: find it by its shape");
+    options().add_option("--home", truth_.home, "strategy of the simulated game")->capture_default_str();
+    options().add_option("--away", truth_.away, "strategy of the simulated game")->capture_default_str();
+    options().add_option("--models", truth_.models, "models of the simulated game")->capture_default_str();
+    options().add_option("--seed", truth_.seed, "seed of the simulated game")->capture_default_str();
+    options().add_flag("--record", truth_.record, "record from the start, without images");
+    options().add_flag("--record-images", truth_.record_images, "record images too: 18 MB a second and sensor");
+    options().add_option("--name", truth_.name, "name of the session that --record begins");
+    options().add_option("--log-dir", truth_.log_folder, "folder of recorded sessions")->capture_default_str();
+    options()
+        .add_option("--log-mb", truth_.log_mb, "[MB] limit of all sessions together; the oldest are deleted first")
+        ->capture_default_str();
+    add_server_options(options(), truth_.server);
+  }
+
+  int run() override {
+    const Result<void> watched = watch_truth(truth_);
+    return watched ? kDone : fail(watched.error());
+  }
+
+ private:
+  TruthOptions truth_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> truth_command(CLI::App& app) { return std::make_unique<TruthCommand>(app); }
+
+}  // namespace robot::app

@@ -1,0 +1,34 @@
+// The services with which the viewer calibrates a sensor.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "robot/app/truth/calibrations.h"
+#include "robot/app/truth/depth_watch.h"
+#include "robot/net/foxglove/services.h"
+
+namespace robot::app {
+
+/// The field whose landmarks are clicked.
+struct CalibratedField {
+  sim::field::Field field;
+  double ball_radius = 0.05;  // [m]
+};
+
+/// Adds these services. `watches` and `calibrations` outlive the server.
+///
+///   /truth/landmarks  {"sensor": 1}  -> {"ok", "landmarks": [{"name", "x", "y", "z"}], "clicks": [{"landmark", "x", "y"}],
+///                                        "file"}
+///
+/// "clicks" are those of the saved calibration; "file" is its name, or empty if nothing can be saved.
+///
+///   /truth/calibrate  {"sensor": 1, "clicks": [{"landmark": "corner +x +y", "x": 12.5, "y": 33}, …], "save": false}
+///                     -> {"ok", "saved", …}
+///
+/// with the members of robot/truth/calibration/calibration_json.h. The newest image gives the carpet. With "save", a good
+/// calibration is written to the file, whose name is "saved", and the sensor uses it at once. A refused one is not saved.
+void add_calibration_services(net::Services& services, const CalibratedField& on,
+                              const std::vector<std::unique_ptr<DepthWatch>>& watches, Calibrations& calibrations);
+
+}  // namespace robot::app

@@ -1,0 +1,190 @@
+#include "robot/app/truth/depth_watch.h"
+
+#include <mutex>
+#include <utility>
+
+#include "robot/app/truth/sensor_messages.h"
+#include "robot/core/report.h"
+#include "robot/core/thread.h"
+
+namespace robot::app {
+namespace {
+
+using State = foresight::TruthSensor::State;
+
+std::string number_of(std::size_t index) { return std::to_string(index + 1); }
+
+std::string topic_of(std::size_t index, const char* object) { return "/truth/" + number_of(index) + "/" + object; }
+
+}  // namespace
+
+SensorObjects::SensorObjects(std::size_t index, const Clock& clock) {
+  sensor.announce(topic_of(index, "sensor"), memory::Delivery::latest, clock);
+  depth.announce(topic_of(index, "depth"), memory::Delivery::latest, clock);
+  color.announce(topic_of(index, "color"), memory::Delivery::latest, clock);
+}
+
+DepthWatch::DepthWatch(DepthWatchOptions options, std::unique_ptr<truth::DepthSource> source, const Clock& clock,
+                       const Calibrations& calibrations, TruthWriter& writer)
+    : options_(std::move(options)),
+      name_("sensor " + number_of(options_.index)),
+      source_(std::move(source)),
+      clock_(clock),
+      calibrations_(calibrations),
+      writer_(writer),
+      objects_(std::make_shared<SensorObjects>(options_.index, clock)) {}
+
+DepthWatch::~DepthWatch() { stop(); }
+
+Result<void> DepthWatch::list(memory::Channels& channels) const {
+  for (memory::Channel* object :
+       std::initializer_list<memory::Channel*>{&objects_->sensor, &objects_->depth, &objects_->color})
+    if (Result<void> listed = channels.add({objects_, object}); !listed) return listed;
+  return {};
+}
+
+Result<void> DepthWatch::start() {
+  return start_thread(thread_, name_, [this] { run(); });
+}
+
+void DepthWatch::stop() {
+  {
+    const std::lock_guard guard(lock_);
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+std::shared_ptr<const truth::DepthFrame> DepthWatch::newest() const {
+  const std::lock_guard guard(lock_);
+  return newest_;
+}
+
+void DepthWatch::place(const PlacedSensor& placed) {
+  const std::lock_guard guard(lock_);
+  wanted_ = placed;
+}
+
+void DepthWatch::run() {
+  become_background_thread("truth " + number_of(options_.index));
+  tell(State::TruthSensor_State_STATE_WAITING, clock_.now_ns());
+  while (!stopping_ && read_one()) {
+  }
+}
+
+bool DepthWatch::read_one() {
+  Result<std::optional<truth::DepthFrame>> frame = source_->next();
+  if (!frame) {
+    lose(frame.error());
+    return true;
+  }
+  if (!*frame) {
+    writer_.lost(options_.index);
+    tell(State::TruthSensor_State_STATE_ENDED, clock_.now_ns());
+    return false;
+  }
+  look(std::make_shared<const truth::DepthFrame>(std::move(**frame)));
+  return true;
+}
+
+void DepthWatch::lose(const std::string& problem) {
+  if (problem != problem_) report(Level::warning, name_, problem);
+  problem_ = problem;
+  writer_.lost(options_.index);
+  tell(State::TruthSensor_State_STATE_WAITING, clock_.now_ns());
+}
+
+void DepthWatch::look(const std::shared_ptr<const truth::DepthFrame>& frame) {
+  if (options_.paced && !wait_until(frame->capture_ns)) return;
+  const std::uint64_t begun_ns = thread_cpu_ns();
+  problem_.clear();
+  take_place(*frame);
+  seen_ = {};
+  if (detector_) {
+    if (auto seen = detector_->detect(*frame)) {
+      seen_ = std::move(*seen);
+      seen_.detected_ns = clock_.now_ns();
+    } else {
+      problem_ = seen.error();
+    }
+  }
+  pulse_.add(monotonic_ns(), thread_cpu_ns() - begun_ns);
+  if (detector_ && problem_.empty()) writer_.add(options_.index, seen_);
+  show(*frame);
+  const std::lock_guard guard(lock_);
+  newest_ = frame;
+}
+
+bool DepthWatch::wait_until(std::uint64_t capture_ns) {
+  const std::lock_guard guard(lock_);
+  for (std::uint64_t now_ns = clock_.now_ns(); now_ns < capture_ns && !stopping_; now_ns = clock_.now_ns())
+    changed_.wait_until(lock_, monotonic_ns() + (capture_ns - now_ns));
+  return !stopping_;
+}
+
+void DepthWatch::take_place(const truth::DepthFrame& frame) {
+  std::optional<PlacedSensor> wanted;
+  {
+    const std::lock_guard guard(lock_);
+    wanted.swap(wanted_);
+  }
+  if (!wanted && !placed_ && !asked_) {
+    asked_ = true;
+    auto saved = calibrations_.find(source_->address(), frame.intrinsics);
+    if (!saved) {
+      refusal_ = saved.error();
+      report(Level::warning, name_, refusal_);
+    } else if (*saved) {
+      wanted = PlacedSensor{.pose = (*saved)->pose,
+                            .lens = (*saved)->lens,
+                            .error_mean = (*saved)->error_mean,
+                            .error_p95 = (*saved)->error_p95};
+    }
+  }
+  if (wanted) use(*wanted);
+  if (!detector_) problem_ = refusal_;
+}
+
+void DepthWatch::use(const PlacedSensor& placed) {
+  auto detector = truth::Detector::create(placed.pose, options_.field, options_.detection);
+  if (!detector) {
+    refusal_ = detector.error();
+    report(Level::error, name_, refusal_);
+    return;
+  }
+  refusal_.clear();
+  detector_.emplace(std::move(*detector));
+  placed_ = placed;
+  writer_.place(options_.index, {.pose = placed.pose});
+}
+
+void DepthWatch::show(const truth::DepthFrame& frame) {
+  pinhole_ = frame.intrinsics;
+  const std::string frame_id = "truth " + number_of(options_.index);
+  auto depth = objects_->depth.draft();
+  to_proto(frame, frame_id, *depth);
+  objects_->depth.write(std::move(depth), frame.capture_ns);
+  auto color = objects_->color.draft();
+  if (colour_to_proto(frame, frame_id, *color)) objects_->color.write(std::move(color), frame.capture_ns);
+  tell(State::TruthSensor_State_STATE_WATCHING, frame.capture_ns);
+}
+
+void DepthWatch::tell(State state, std::uint64_t capture_ns) {
+  auto message = objects_->sensor.draft();
+  message->set_state(state);
+  message->set_address(source_->address());
+  message->set_problem(problem_);
+  message->set_rate_hz(static_cast<float>(pulse_.rate_hz(monotonic_ns())));
+  message->set_detection_ms(static_cast<float>(pulse_.milliseconds()));
+  if (pinhole_) to_proto(*pinhole_, *message->mutable_pinhole());
+  if (placed_) {
+    to_proto(placed_->pose, *message->mutable_place());
+    message->mutable_place()->set_error_mean(static_cast<float>(placed_->error_mean));
+    message->mutable_place()->set_error_p95(static_cast<float>(placed_->error_p95));
+  }
+  if (state == State::TruthSensor_State_STATE_WATCHING) to_proto(seen_, *message);
+  objects_->sensor.write(std::move(message), capture_ns);
+}
+
+}  // namespace robot::app

@@ -1,0 +1,144 @@
+#include "robot/app/truth/opened_sources.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "robot/app/truth/simulated_scene.h"
+#include "robot/bridge/to_messages.h"
+#include "robot/truth/sensor/open_source.h"
+#include "robot/truth/synthetic/mast.h"
+#include "robot/truth/synthetic/synthetic_sensor.h"
+#include "sim/io/rules.h"
+
+namespace robot::app {
+namespace {
+
+constexpr double kBallRadius = 0.05;  // [m] of the league's ball since 2016
+
+/// The sides of the field on which synthetic sensors stand, by their addresses.
+struct Mast {
+  const char* address;
+  double side;
+};
+constexpr Mast kMasts[] = {{"synthetic", -1}, {"synthetic:2", 1}};
+
+const Mast* mast_at(const std::string& address) {
+  const auto found =
+      std::find_if(std::begin(kMasts), std::end(kMasts), [&](const Mast& mast) { return address == mast.address; });
+  return found == std::end(kMasts) ? nullptr : found;
+}
+
+/// A recording whose first image has been read before its turn.
+class PeekedSource final : public truth::DepthSource {
+ public:
+  PeekedSource(std::unique_ptr<truth::DepthSource> source, std::optional<truth::DepthFrame> first)
+      : source_(std::move(source)), first_(std::move(first)) {}
+
+  Result<std::optional<truth::DepthFrame>> next() override {
+    if (first_) return std::exchange(first_, std::nullopt);
+    return source_->next();
+  }
+  const std::string& address() const override { return source_->address(); }
+  bool live() const override { return source_->live(); }
+
+ private:
+  const std::unique_ptr<truth::DepthSource> source_;
+  std::optional<truth::DepthFrame> first_;
+};
+
+}  // namespace
+
+OpenedSources::OpenedSources(const TruthOptions& options, const sim::field::Rules& rules)
+    : options_(options),
+      rules_(rules),
+      ball_radius_(options.ball_radius > 0 ? options.ball_radius
+                   : rules.ball_radius > 0 ? double{rules.ball_radius}
+                                           : kBallRadius) {}
+
+Result<OpenedSources> OpenedSources::open(const TruthOptions& options) {
+  if (options.sources.size() > truth::kMostSensors)
+    return Error{"--source: expected at most " + std::to_string(truth::kMostSensors) + " sensors, got " +
+                 std::to_string(options.sources.size())};
+  const auto rules = sim::io::load_rules(options.rules);
+  if (!rules) return rules.failure("--rules");
+  OpenedSources opened(options, *rules);
+  const auto synthetic = std::count_if(options.sources.begin(), options.sources.end(),
+                                       [](const std::string& address) { return mast_at(address) != nullptr; });
+  if (synthetic > 0 && synthetic < static_cast<std::ptrdiff_t>(options.sources.size()))
+    return Error{"--source: expected synthetic sensors only, or none"};
+  Result<void> all = synthetic > 0 ? opened.open_synthetic() : opened.open_recordings_and_sensors();
+  if (!all) return all.failure("--source");
+  return opened;
+}
+
+Result<void> OpenedSources::open_synthetic() {
+  clock_ = std::make_unique<SessionClock>();
+  const std::uint64_t begin_ns = clock_->now_ns();
+  auto game = WatchedGame::open({.matchup = {.rules = options_.rules,
+                                             .strategies = {options_.home, options_.away},
+                                             .models = {options_.models, options_.models}},
+                                 .seed = options_.seed,
+                                 .begin_ns = begin_ns});
+  if (!game) return game.failure();
+  game_ = std::move(*game);
+  ball_radius_ = double{game_->ball_radius()};
+  for (const std::string& address : options_.sources) {
+    const truth::SensorPose pose = truth::mast(rules_.field, mast_at(address)->side);
+    auto scene_at = [&looked = *game_, width = double{rules_.field.width}, radius = ball_radius_](
+                        std::uint64_t capture_ns) { return scene_of(looked.at(capture_ns), radius, width); };
+    const truth::Surroundings surroundings{.field = rules_.field};
+    const truth::SyntheticOptions at{.address = address, .first_capture_ns = begin_ns};
+    auto source = std::make_unique<truth::SyntheticSensor>(pose, surroundings, std::move(scene_at), at);
+    const bool exact = options_.calibration.empty();
+    sources_.push_back(
+        {.source = std::move(source), .placed = exact ? std::optional(PlacedSensor{.pose = pose}) : std::nullopt});
+  }
+  return {};
+}
+
+Result<void> OpenedSources::open_recordings_and_sensors() {
+  std::uint64_t first_ns = std::numeric_limits<std::uint64_t>::max();
+  for (const std::string& address : options_.sources) {
+    auto source = truth::open_source(address);
+    if (!source) return source.failure();
+    if (!sources_.empty() && sources_.front().source->live() != (*source)->live())
+      return Error{"expected live sensors only, or recordings only, got " + options_.sources.front() + " and " +
+                   address};
+    if (!(*source)->live()) {
+      auto first = (*source)->next();
+      if (first && *first) first_ns = std::min(first_ns, (*first)->capture_ns);
+      *source = std::make_unique<PeekedSource>(std::move(*source), first ? std::move(*first) : std::nullopt);
+    }
+    sources_.push_back({.source = std::move(*source), .placed = {}});
+  }
+  const bool recorded = first_ns != std::numeric_limits<std::uint64_t>::max();
+  clock_ = recorded ? std::make_unique<SessionClock>(first_ns - monotonic_ns()) : std::make_unique<SessionClock>();
+  return {};
+}
+
+void OpenedSources::show_game_in(memory::MemoryObject<foresight::GroundTruth>& simulated) {
+  if (!game_) return;
+  game_->tell_ticks([&simulated](const sim::World& world, std::uint64_t capture_ns) {
+    auto message = simulated.draft();
+    bridge::to_proto(world, bridge::TeamNumbers{}, *message);
+    simulated.write(std::move(message), capture_ns);
+  });
+}
+
+std::vector<std::unique_ptr<DepthWatch>> OpenedSources::watches(const Calibrations& calibrations, TruthWriter& writer) {
+  std::vector<std::unique_ptr<DepthWatch>> watches;
+  for (Opened& opened : sources_) {
+    const bool paced = game_ != nullptr || !opened.source->live();
+    watches.push_back(std::make_unique<DepthWatch>(
+        DepthWatchOptions{.index = watches.size(),
+                          .field = rules_.field,
+                          .detection = {.ball_radius = ball_radius_, .orange_ball = options_.orange_ball},
+                          .paced = paced},
+        std::move(opened.source), *clock_, calibrations, writer));
+    if (opened.placed) watches.back()->place(*opened.placed);
+  }
+  return watches;
+}
+
+}  // namespace robot::app

@@ -1,0 +1,53 @@
+// The sources of foresight-lab truth, opened: sensors, recordings, or synthetic sensors that look at a simulated game.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/app/truth/depth_watch.h"
+#include "robot/app/truth/watch_truth.h"
+#include "robot/app/truth/watched_game.h"
+#include "sim/field/rules.h"
+
+namespace robot::app {
+
+/// The opened sources. Sensors and synthetic sensors live now; recordings live at the time of their first image.
+class OpenedSources {
+ public:
+  /// Returns an Error for an address that cannot be opened, for recordings beside live sensors, for more sources than the
+  /// tracks can use, and for wrong rules, strategies or models.
+  static Result<OpenedSources> open(const TruthOptions& options);
+
+  const SessionClock& clock() const { return *clock_; }
+  const sim::field::Field& field() const { return rules_.field; }
+  double ball_radius() const { return ball_radius_; }  // [m]
+  std::size_t count() const { return sources_.size(); }
+
+  /// Writes the true world of the simulated game, tick by tick, to `simulated`, which outlives the watches.
+  void show_game_in(memory::MemoryObject<foresight::GroundTruth>& simulated);
+
+  /// Hands each source to a watch of its own. Called once. All arguments and this outlive the watches.
+  std::vector<std::unique_ptr<DepthWatch>> watches(const Calibrations& calibrations, TruthWriter& writer);
+
+ private:
+  struct Opened {
+    std::unique_ptr<truth::DepthSource> source;
+    std::optional<PlacedSensor> placed;  // of a synthetic sensor, which knows its place
+  };
+
+  OpenedSources(const TruthOptions& options, const sim::field::Rules& rules);
+
+  Result<void> open_recordings_and_sensors();
+  Result<void> open_synthetic();
+
+  TruthOptions options_;
+  sim::field::Rules rules_;
+  double ball_radius_;
+  std::unique_ptr<SessionClock> clock_;
+  std::unique_ptr<WatchedGame> game_;  // null without a synthetic sensor
+  std::vector<Opened> sources_;
+};
+
+}  // namespace robot::app

@@ -1,0 +1,38 @@
+// foresight-lab truth: sensors beside the field report where everybody is, to any number of viewers.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "robot/app/server_settings.h"
+#include "robot/core/result.h"
+
+namespace robot::app {
+
+/// The options of foresight-lab truth.
+struct TruthOptions {
+  std::vector<std::string> sources;   // addresses of robot/truth/sensor/open_source.h, or "synthetic", "synthetic:2"
+  std::filesystem::path calibration;  // the file with the places of the sensors; empty: none, and none is saved
+  std::string rules = "spl2012";      // the field
+  double ball_radius = 0;             // [m] 0: that of the rules, or of the models
+  bool orange_ball = true;
+
+  // of the simulated game that synthetic sensors see
+  std::string home = "baseline", away = "baseline", models = "match";
+  std::uint64_t seed = 1;
+
+  bool record = false;         // from the start on
+  bool record_images = false;  // depth images and colours too: 18 MB a second and sensor, or more
+  std::string name;            // of the recorded session
+  std::filesystem::path log_folder = "logs";
+  std::uint64_t log_mb = 50'000;
+  ServerSettings server;
+};
+
+/// Watches until SIGINT or SIGTERM. A sensor that is unplugged is a state that is shown, and it comes back by itself. The
+/// clock is this machine's, or that of the recordings if the sources are recordings. Returns an Error if it cannot begin.
+Result<void> watch_truth(const TruthOptions& options);
+
+}  // namespace robot::app
