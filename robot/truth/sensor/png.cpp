@@ -46,7 +46,6 @@ bool read_png_header(PngReading& reading) {
   reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, leave_png, ignore_png_warning);
   reading.info = reading.png ? png_create_info_struct(reading.png) : nullptr;
   if (!reading.info || setjmp(png_jmpbuf(reading.png))) return false;
-  png_set_user_limits(reading.png, kMaxSide, kMaxSide);
   png_set_read_fn(reading.png, &reading, take_png_bytes);
   png_read_info(reading.png, reading.info);
   return true;
@@ -71,14 +70,16 @@ bool read_png_rows(PngReading& reading) {
 Result<GreyImage> read_png(std::string_view bytes) {
   PngReading reading(bytes);
   if (!read_png_header(reading)) return Error{std::string("expected a PNG, got a damaged one: ") + reading.sentence};
+  const png_uint_32 width = png_get_image_width(reading.png, reading.info);
+  const png_uint_32 height = png_get_image_height(reading.png, reading.info);
+  if (const Result<void> checked = check_size(width, height); !checked) return checked.failure();
   const int bits = png_get_bit_depth(reading.png, reading.info);
   const int channels = png_get_channels(reading.png, reading.info);
   if (bits != 16 || channels != 1)
     return Error{
         formatted("expected a PNG with 16 bits of grey per pixel, got %d channels of %d bits", channels, bits)};
   if (!read_png_rows(reading)) return Error{std::string("expected a PNG, got a damaged one: ") + reading.sentence};
-  return GreyImage{static_cast<int>(png_get_image_width(reading.png, reading.info)),
-                   static_cast<int>(png_get_image_height(reading.png, reading.info)), from_big_endian(reading.rows)};
+  return GreyImage{static_cast<int>(width), static_cast<int>(height), from_big_endian(reading.rows)};
 }
 
 }  // namespace robot::truth
