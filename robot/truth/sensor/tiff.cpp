@@ -105,10 +105,12 @@ Result<GreyImage> read_tiff(std::string_view bytes) {
   if (const Result<void> checked = check_tiff_format(tiff); !checked) return checked.failure();
 
   GreyImage image{static_cast<int>(width), static_cast<int>(height), {}};
-  image.values.resize(std::size_t{width} * height);
-  for (std::uint32_t row = 0; row < height; ++row)
+  for (std::uint32_t row = 0; row < height; ++row) {
+    // row by row, so that a damaged size takes no memory
+    image.values.resize(std::size_t{row + 1} * width);
     if (TIFFReadScanline(tiff.get(), &image.values[std::size_t{row} * width], row, 0) != 1)
       return Error{formatted("expected a TIFF, got a damaged one in row %u: ", row) + reading.sentence};
+  }
   return image;
 }
 

@@ -29,8 +29,8 @@ std::unique_ptr<DepthSource> opened(const std::string& kind, const std::filesyst
   return source ? *std::move(source) : nullptr;
 }
 
-constexpr int kWindow = 42;        // [px]
-constexpr int kEach = 3;           // every third pixel of every third row is enough
+constexpr int kWindow = 42;  // [px]
+constexpr int kEach = 3;     // every third pixel of every third row is enough
 
 /// A window of an image that shows a plane.
 struct PlaneWindow {
@@ -97,8 +97,8 @@ std::optional<PlaneWindow> plane_window(const DepthFrame& frame, int left, int t
 
 /// Compares the median window of each slice of 0.3 m with the noise model. Returns the number of slices.
 ///
-/// The noise of the windows agrees with deviation() alone: Nguyen's figure contains the rounding to steps. Within 0.9 m the
-/// model is a quarter above the windows; behind 3.3 m these images show too few planes.
+/// The noise of the windows agrees with deviation() alone: Nguyen's figure contains the rounding to steps. Nearer than 0.9 m
+/// the model is a third above the windows; farther than 3.6 m these images show too few planes.
 int compare_with_noise_model(const DepthFrame& frame) {
   std::map<int, std::vector<double>> ratios;
   for (int top = 0; top + kWindow <= frame.intrinsics.height; top += kWindow / 2)
@@ -108,10 +108,9 @@ int compare_with_noise_model(const DepthFrame& frame) {
                                                                 DepthNoise::deviation(window->depth));
   int slices = 0;
   for (auto& [slice, values] : ratios) {
-    if (slice < 3 || slice > 10 || values.size() < 10) continue;
+    if (slice < 3 || slice > 11 || values.size() < 10) continue;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
-    std::printf("%.1f m %zu %.2f\n", 0.3*slice, values.size(), *middle);
     EXPECT_NEAR(*middle, 1, 0.2) << values.size() << " windows " << 0.3 * slice << " m away";
     ++slices;
   }
@@ -146,12 +145,12 @@ TEST(RealFrames, PclzfAndTiffOfTheSameImageAgree) {
 
 TEST(RealFrames, ThePlanesOfARoomHaveTheModelledNoise) {
   REAL_DATA_OR_SKIP(path, "depth/fakenect_nyu/INDEX.txt");
-  EXPECT_GE(compare_with_noise_model(next_of(*opened("fakenect", path.parent_path()))), 4);
+  EXPECT_GE(compare_with_noise_model(next_of(*opened("fakenect", path.parent_path()))), 3);
 }
 
 TEST(RealFrames, ThePlanesOfPclsSceneHaveTheModelledNoise) {
   REAL_DATA_OR_SKIP(path, "depth/frame_20121214T142255.814212.xml");
-  EXPECT_GE(compare_with_noise_model(next_of(*opened("pclzf", path.parent_path()))), 3);
+  EXPECT_GE(compare_with_noise_model(next_of(*opened("pclzf", path.parent_path()))), 2);
 }
 
 }  // namespace
