@@ -14,15 +14,14 @@ constexpr double kDisagreement = 1;  // [s]
 }  // namespace
 
 std::uint64_t DeviceClock::capture_ns(std::uint64_t ticks, std::uint64_t arrival_ns) {
+  const bool first = !last_ticks_;
   const std::uint64_t mask = bits_ < 64 ? (std::uint64_t{1} << bits_) - 1 : ~std::uint64_t{0};
-  if (last_ticks_) device_s_ += static_cast<double>((ticks - *last_ticks_) & mask) / ticks_per_second_;
-  if (!last_ticks_) restart(arrival_ns);
+  if (!first) device_s_ += static_cast<double>((ticks - *last_ticks_) & mask) / ticks_per_second_;
   last_ticks_ = ticks;
 
-  const double arrival =
-      static_cast<double>(static_cast<std::int64_t>(arrival_ns - first_ns_)) / static_cast<double>(kSecond);
-  const double offset = arrival - device_s_;
-  if (std::abs(offset - std::min(least_, least_before_)) > kDisagreement) {
+  const auto since_first_ns = static_cast<double>(static_cast<std::int64_t>(arrival_ns - first_ns_));
+  const double offset = since_first_ns / static_cast<double>(kSecond) - device_s_;
+  if (first || std::abs(offset - std::min(least_, least_before_)) > kDisagreement) {
     restart(arrival_ns);
     return arrival_ns;
   }

@@ -30,7 +30,6 @@ class FreenectDriver final : public SensorDriver {
  private:
   Result<void> start();
   void stop();
-  DepthFrame converted();
 
   // libfreenect calls them within freenect_process_events_timeout()
   static void take_depth(freenect_device* device, void* depth, std::uint32_t ticks);
@@ -86,6 +85,7 @@ void FreenectDriver::stop() {
   if (context_) freenect_shutdown(context_);
   device_ = nullptr;
   context_ = nullptr;
+  clock_ = DeviceClock(kTicksPerSecond, kTickBits);
   capture_ns_.reset();
   colour_ = {};
 }
@@ -95,7 +95,8 @@ Result<std::optional<DepthFrame>> FreenectDriver::newest(int patience_ms) {
   while (!capture_ns_) {
     const std::uint64_t now_ns = monotonic_ns();
     if (now_ns >= end_ns) return std::optional<DepthFrame>();
-    timeval patience{.tv_sec = 0, .tv_usec = static_cast<suseconds_t>((end_ns - now_ns) / 1000 % 1'000'000)};
+    timeval patience{.tv_sec = static_cast<time_t>((end_ns - now_ns) / kSecond),
+                     .tv_usec = static_cast<suseconds_t>((end_ns - now_ns) % kSecond / 1000)};
     if (freenect_process_events_timeout(context_, &patience) < 0) return Error{"the Kinect is gone"};
   }
   Result<DepthFrame> frame = kinect_frame(disparities_, colour_.rgb.empty() ? nullptr : &colour_);

@@ -17,12 +17,23 @@ Result<std::optional<DepthFrame>> LiveSource::next() {
     open_ = true;
     silent_s_ = 0;
   }
-  Result<std::optional<DepthFrame>> frame = driver_->newest(1000);
+  Result<std::optional<DepthFrame>> frame = within_a_second();
   if (!frame) return lost(frame.failure());
   if (!*frame) return silent();
   silent_s_ = 0;
   if (const Result<void> applied = apply(camera_, **frame); !applied) return lost(applied.failure());
   return frame;
+}
+
+/// Returns an image of the open sensor, or nothing if none came for a second.
+Result<std::optional<DepthFrame>> LiveSource::within_a_second() {
+  const std::uint64_t end_ns = waiting_.now_ns() + kSecond;
+  for (std::uint64_t now_ns = end_ns - kSecond; now_ns < end_ns; now_ns = waiting_.now_ns()) {
+    const auto patience_ms = static_cast<int>((end_ns - now_ns + kMillisecond - 1) / kMillisecond);
+    Result<std::optional<DepthFrame>> frame = driver_->newest(patience_ms);
+    if (!frame || *frame) return frame;
+  }
+  return std::optional<DepthFrame>();
 }
 
 /// Closes the sensor until it is tried again. Returns the sentence for the person.

@@ -41,6 +41,7 @@ class LiveSource final : public DepthSource {
   bool live() const override { return true; }
 
  private:
+  Result<std::optional<DepthFrame>> within_a_second();
   Error lost(const Error& reason);
   Error silent();
 

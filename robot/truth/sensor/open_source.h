@@ -4,7 +4,7 @@
 //   folder:FOLDER     images of 16 bits (*.png, *.pgm, *.tif, *.tiff) in the order of their names
 //   pclzf:FOLDER      a recording of PCL: *_depth.pclzf with *.xml, and *_rgb.pclzf where it exists
 //   freenect:N        the Nth first-generation Kinect, from 0 on
-//   openni:N          the Nth sensor of OpenNI 2, from 0 on; or one of its addresses, such as a recording (*.oni)
+//   openni:N          the Nth sensor of OpenNI 2, from 0 on; or one of its own addresses (URI)
 //   v4l2:DEVICE       a depth camera that the kernel drives (format Z16): v4l2:/dev/video2
 //
 // A live source may have a camera file behind an @, whose intrinsics replace the driver's: v4l2:/dev/video2@d435.json. A

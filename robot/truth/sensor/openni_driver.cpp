@@ -18,6 +18,8 @@
 namespace robot::truth {
 namespace {
 
+constexpr double kOpenniTicksPerSecond = 1e6;
+constexpr int kOpenniTickBits = 64;
 constexpr std::uint64_t kSameMoment_us = 34'000;  // one image of 30 a second
 
 /// Starts OpenNI once for this process. It stays: its end would take all sensors from all threads.
@@ -25,6 +27,9 @@ bool start_openni() {
   static const bool started = oniInitialize(ONI_API_VERSION) == ONI_STATUS_OK;
   return started;
 }
+
+/// Returns OpenNI's sentence for its last error.
+std::string openni_reason() { return printable(trimmed(oniGetExtendedError()), 200); }
 
 /// Returns OpenNI's address of the sensor with this number.
 Result<std::string> openni_address(std::size_t number) {
@@ -67,14 +72,15 @@ OpenniStream start_stream(const OpenniDevice& device, OniSensorType sensor, OniP
   return stream;
 }
 
-/// Returns the newest image that the stream has at the end of `patience_ms`, or nullptr.
-OpenniFrame read_frame(const OpenniStream& stream, int patience_ms) {
+/// Waits for an image of the stream, at most `patience_ms`. Returns nullptr if none came.
+Result<OpenniFrame> read_frame(const OpenniStream& stream, int patience_ms) {
   OniStreamHandle handle = stream.get();
   int ready = 0;
+  const OniStatus waited = oniWaitForAnyStream(&handle, 1, &ready, patience_ms);
+  if (waited == ONI_STATUS_TIME_OUT) return OpenniFrame();
   OniFrame* frame = nullptr;
-  if (oniWaitForAnyStream(&handle, 1, &ready, patience_ms) != ONI_STATUS_OK) return nullptr;
-  if (oniStreamReadFrame(handle, &frame) != ONI_STATUS_OK) return nullptr;
-  return OpenniFrame(frame);
+  if (waited == ONI_STATUS_OK && oniStreamReadFrame(handle, &frame) == ONI_STATUS_OK) return OpenniFrame(frame);
+  return Error{"the sensor is gone: " + openni_reason()};
 }
 
 /// Returns the rows of a frame without padding, or an empty text if the frame is smaller than it says.
@@ -98,6 +104,7 @@ class OpenniDriver final : public SensorDriver {
 
  private:
   Result<void> open_device();
+  Result<DepthFrame> converted(const OniFrame& got) const;
   Intrinsics intrinsics_of(const OniFrame& frame) const;
   std::vector<std::uint8_t> colours_of(const OniFrame& depth) const;
 
@@ -105,7 +112,7 @@ class OpenniDriver final : public SensorDriver {
   OpenniDevice device_;
   OpenniStream depth_;
   OpenniStream colour_;  // nullptr: the sensor does not register its depth to colours
-  DeviceClock clock_{1e6, 64};
+  DeviceClock clock_{kOpenniTicksPerSecond, kOpenniTickBits};
   SessionClock epoch_;
 };
 
@@ -116,7 +123,7 @@ Result<void> OpenniDriver::open() {
 }
 
 Result<void> OpenniDriver::open_device() {
-  if (!start_openni()) return Error{"OpenNI does not start: " + printable(trimmed(oniGetExtendedError()), 200)};
+  if (!start_openni()) return Error{"OpenNI does not start: " + openni_reason()};
   // a number, or an address of OpenNI
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(which_.data(), which_.data() + which_.size(), number);
@@ -126,10 +133,10 @@ Result<void> OpenniDriver::open_device() {
 
   OniDeviceHandle device = nullptr;
   if (oniDeviceOpen(address->c_str(), &device) != ONI_STATUS_OK)
-    return Error{"the sensor does not open: " + printable(trimmed(oniGetExtendedError()), 200)};
+    return Error{"the sensor does not open: " + openni_reason()};
   device_.reset(device);
   depth_ = start_stream(device_, ONI_SENSOR_DEPTH, ONI_PIXEL_FORMAT_DEPTH_1_MM);
-  if (!depth_) return Error{"the sensor starts no depth images: " + printable(trimmed(oniGetExtendedError()), 200)};
+  if (!depth_) return Error{"the sensor starts no depth images: " + openni_reason()};
 
   // without registration the colours would belong to other pixels
   const OniImageRegistrationMode registered = ONI_IMAGE_REGISTRATION_DEPTH_TO_COLOR;
@@ -143,30 +150,37 @@ void OpenniDriver::close() {
   colour_.reset();
   depth_.reset();
   device_.reset();
+  clock_ = DeviceClock(kOpenniTicksPerSecond, kOpenniTickBits);
 }
 
 Result<std::optional<DepthFrame>> OpenniDriver::newest(int patience_ms) {
-  const OpenniFrame got = read_frame(depth_, patience_ms);
-  if (!got) return std::optional<DepthFrame>();
+  const Result<OpenniFrame> got = read_frame(depth_, patience_ms);
+  if (!got) return got.failure();
+  if (!*got) return std::optional<DepthFrame>();
   const std::uint64_t arrival_ns = epoch_.now_ns();
-  const OniPixelFormat format = got->videoMode.pixelFormat;
+  Result<DepthFrame> frame = converted(**got);
+  if (!frame) return frame.failure();
+  frame->rgb = colours_of(**got);
+  frame->capture_ns = clock_.capture_ns((*got)->timestamp, arrival_ns);
+  return std::optional(*std::move(frame));
+}
+
+/// Returns the depths of a frame, without colours and time.
+Result<DepthFrame> OpenniDriver::converted(const OniFrame& got) const {
+  const OniPixelFormat format = got.videoMode.pixelFormat;
   if (format != ONI_PIXEL_FORMAT_DEPTH_1_MM && format != ONI_PIXEL_FORMAT_DEPTH_100_UM)
     return Error{formatted("expected depths of 1 mm or 0.1 mm, got OpenNI's pixel format %d", format)};
-  if (const Result<void> size =
-          check_size(static_cast<std::uint64_t>(got->width), static_cast<std::uint64_t>(got->height));
-      !size)
-    return size.failure();
+  const auto width = static_cast<std::uint64_t>(got.width), height = static_cast<std::uint64_t>(got.height);
+  if (const Result<void> checked = check_size(width, height); !checked) return checked.failure();
+  const std::string rows = rows_of(got, sizeof(std::uint16_t));
+  if (rows.empty()) return Error{"expected a whole image, got a part of one"};
 
   DepthFrame frame;
-  frame.intrinsics = intrinsics_of(*got);
+  frame.intrinsics = intrinsics_of(got);
   frame.unit = format == ONI_PIXEL_FORMAT_DEPTH_1_MM ? 0.001 : 0.0001;
-  const std::string rows = rows_of(*got, sizeof(std::uint16_t));
-  if (rows.empty()) return Error{"expected a whole image, got a part of one"};
   frame.depth.resize(rows.size() / sizeof(std::uint16_t));
   std::memcpy(frame.depth.data(), rows.data(), rows.size());
-  frame.rgb = colours_of(*got);
-  frame.capture_ns = clock_.capture_ns(got->timestamp, arrival_ns);
-  return std::optional(std::move(frame));
+  return frame;
 }
 
 /// Returns the pinhole by the reported field of view, or the Kinect's if the sensor reports none.
@@ -186,13 +200,14 @@ Intrinsics OpenniDriver::intrinsics_of(const OniFrame& frame) const {
 /// Returns the colours of the same moment, or none.
 std::vector<std::uint8_t> OpenniDriver::colours_of(const OniFrame& depth) const {
   if (!colour_) return {};
-  const OpenniFrame colour = read_frame(colour_, 0);
-  if (!colour || colour->width != depth.width || colour->height != depth.height ||
-      colour->videoMode.pixelFormat != ONI_PIXEL_FORMAT_RGB888)
-    return {};
-  const std::uint64_t first = std::min(colour->timestamp, depth.timestamp);
-  if (std::max(colour->timestamp, depth.timestamp) - first > kSameMoment_us) return {};
-  const std::string rows = rows_of(*colour, 3);
+  const Result<OpenniFrame> got = read_frame(colour_, 0);
+  if (!got || !*got) return {};
+  const OniFrame& colour = **got;
+  if (colour.width != depth.width || colour.height != depth.height) return {};
+  if (colour.videoMode.pixelFormat != ONI_PIXEL_FORMAT_RGB888) return {};
+  const std::uint64_t first = std::min(colour.timestamp, depth.timestamp);
+  if (std::max(colour.timestamp, depth.timestamp) - first > kSameMoment_us) return {};
+  const std::string rows = rows_of(colour, 3);
   return {rows.begin(), rows.end()};
 }
 

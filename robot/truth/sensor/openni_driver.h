@@ -8,8 +8,7 @@
 
 namespace robot::truth {
 
-/// Returns the driver of the sensor with this number, from 0 on, or with this address of OpenNI: a recording (*.oni) is one
-/// too, and plays as if it were live.
+/// Returns the driver of the sensor with this number, from 0 on, or with this address (URI) of OpenNI.
 ///
 /// The intrinsics come from the sensor's field of view, as it reports it. Its images carry a counter of microseconds;
 /// DeviceClock converts it, so that the capture time contains the least transmission delay. The images have colours if the

@@ -22,8 +22,8 @@ class SensorDriver {
   /// Stops and closes the sensor. No effect on a closed one.
   virtual void close() = 0;
 
-  /// Waits for an image of the open sensor, at most `patience_ms`. Returns nothing if none came, and an Error if the sensor
-  /// is gone. An older image than the newest one is passed over.
+  /// Waits for an image of the open sensor, at most `patience_ms`. Returns nothing if none came or the one that came was
+  /// damaged, and an Error if the sensor is gone. Images that are older than the newest one are passed over.
   virtual Result<std::optional<DepthFrame>> newest(int patience_ms) = 0;
 };
 
