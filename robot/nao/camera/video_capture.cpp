@@ -1,7 +1,5 @@
 #include "robot/nao/camera/video_capture.h"
 
-#include <linux/videodev2.h>
-
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -101,16 +99,16 @@ Result<void> VideoCapture::set_format() {
   format.type = kType;
   format.fmt.pix.width = settings_.width;
   format.fmt.pix.height = settings_.height;
-  format.fmt.pix.pixelformat = V4L2_PIX_FMT_YUYV;
+  format.fmt.pix.pixelformat = settings_.format;
   format.fmt.pix.field = V4L2_FIELD_NONE;
   if (const int error = device_->control(VIDIOC_S_FMT, &format)) return refused("it to take a format", error);
   // the driver answers with the nearest format that it supports
   const v4l2_pix_format& got = format.fmt.pix;
-  if (got.width != settings_.width || got.height != settings_.height || got.pixelformat != V4L2_PIX_FMT_YUYV ||
+  if (got.width != settings_.width || got.height != settings_.height || got.pixelformat != settings_.format ||
       got.bytesperline < 2 * settings_.width)
-    return Error{"camera " + settings_.device.string() + ": expected YUYV " + std::to_string(settings_.width) + "x" +
-                 std::to_string(settings_.height) + ", got " + four_letters(got.pixelformat) + " " +
-                 std::to_string(got.width) + "x" + std::to_string(got.height)};
+    return Error{"camera " + settings_.device.string() + ": expected " + four_letters(settings_.format) + " " +
+                 std::to_string(settings_.width) + "x" + std::to_string(settings_.height) + ", got " +
+                 four_letters(got.pixelformat) + " " + std::to_string(got.width) + "x" + std::to_string(got.height)};
   stride_ = got.bytesperline;
 
   v4l2_streamparm rate{};

@@ -1,6 +1,8 @@
 // Frames of one Video4Linux device. The newest frame replaces older ones.
 #pragma once
 
+#include <linux/videodev2.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -15,9 +17,10 @@ namespace robot::nao {
 
 struct CameraSettings {
   std::filesystem::path device;
-  std::uint32_t width = 640, height = 480;  // [px]
-  std::uint32_t rate = 30;                  // [1/s]
-  bool turned = false;                      // the camera is mounted upside down
+  std::uint32_t width = 640, height = 480;   // [px]
+  std::uint32_t rate = 30;                   // [1/s]
+  std::uint32_t format = V4L2_PIX_FMT_YUYV;  // of the device; or another one with 2 bytes per pixel: V4L2_PIX_FMT_Z16
+  bool turned = false;                       // the camera is mounted upside down; YUYV only
 
   /// Values of the driver's controls, by the names in kControls. A control that the device lacks causes one warning.
   std::map<std::string, std::int32_t> controls;
@@ -27,7 +30,7 @@ struct CameraSettings {
 /// name.
 std::optional<std::uint32_t> control_id(const std::string& name);
 
-/// A device that streams YUYV into buffers shared with the kernel. Used by one thread; the device outlives it.
+/// A device that streams into buffers shared with the kernel. Used by one thread; the device outlives it.
 class VideoCapture {
  public:
   static constexpr std::uint32_t kBuffers = 3;
