@@ -16,7 +16,7 @@ struct DetectorOptions {
   Orange orange;
   /// The colour of the thing at pixel p of the depth image is at p + shift. No registration of colours is perfect.
   double colour_shift_x = 0, colour_shift_y = 0;  // [px]
-  double colour_deviation = 0.12;                 // [px] one standard deviation of the rest, in each direction
+  double colour_deviation = 0.10;                 // [px] one standard deviation of the rest, in each direction
 
   double robot_height = 0.58;  // [m] of a standing robot
   /// The distance from the middle of the visible surface of a robot's head to the middle between its feet [m], in a level

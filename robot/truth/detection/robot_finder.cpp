@@ -79,7 +79,7 @@ void find_kind(const Sight& sight, const Kind& kind, GroundGrid& grid, std::vect
     const View view(sight, at_height(place, kind.height));
     // the noise spreads a part along the ray
     grid.remove(kind.layer, place, 1.2F * kind.radius + 2 * view.deviation);
-    if (grid.within(Layer::tall, place, kind.person).area > kPersonArea) continue;
+    if (grid.within(Layer::tall, place, kind.person + 2 * view.deviation).area > kPersonArea) continue;
     if (!at_border(sight, at_height(place, kind.height), 0.7F * kind.radius))
       robots.push_back(seen_robot(view, kind, part));
     if (kind.layer != Layer::low) grid.remove(Layer::low, place, kind.claim);
@@ -116,7 +116,7 @@ void find_robots(const Sight& sight, const DetectorOptions& options, GroundGrid&
                    .person = 0.45F,
                    .claim = 0,
                    .height = 0.1F,
-                   .surface_to_centre = 0.075F,
+                   .surface_to_centre = 0.085F,
                    .along = 0.028F,
                    .across = 0.025F};
   for (const Kind& kind : {heads, bodies, lying}) find_kind(sight, kind, grid, robots);
