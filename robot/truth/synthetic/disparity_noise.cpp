@@ -1,0 +1,180 @@
+#include "robot/truth/synthetic/disparity_noise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace robot::truth {
+namespace {
+
+constexpr std::size_t kTableWidth = 1024, kTableHeight = 512;  // powers of two, so that a mask wraps a place
+
+/// A sequence of random bits, the same on all machines.
+class Bits {
+ public:
+  explicit Bits(std::uint64_t seed) : state_(mixed(seed)) {}
+
+  /// Returns a number below 65536.
+  std::uint32_t next() {
+    // Marsaglia's xorshift
+    state_ ^= state_ << 13;
+    state_ ^= state_ >> 7;
+    state_ ^= state_ << 17;
+    return static_cast<std::uint32_t>(state_ >> 48);
+  }
+
+ private:
+  /// Spreads neighbouring seeds over all values but 0 (splitmix64).
+  static std::uint64_t mixed(std::uint64_t seed) {
+    seed += 0x9e3779b97f4a7c15;
+    seed = (seed ^ (seed >> 30)) * 0xbf58476d1ce4e5b9;
+    seed = (seed ^ (seed >> 27)) * 0x94d049bb133111eb;
+    return (seed ^ (seed >> 31)) | 1;
+  }
+
+  std::uint64_t state_;
+};
+
+std::vector<float> white_noise() {
+  std::vector<float> noise(kTableWidth * kTableHeight);
+  std::mt19937 random(1);
+  const auto uniform = [&] { return (static_cast<double>(random()) + 0.5) / 4294967296.; };
+  for (std::size_t i = 0; i < noise.size(); i += 2) {
+    // Box and Muller
+    const double length = std::sqrt(-2 * std::log(uniform())), angle = 2 * std::numbers::pi * uniform();
+    noise[i] = static_cast<float>(length * std::cos(angle));
+    noise[i + 1] = static_cast<float>(length * std::sin(angle));
+  }
+  return noise;
+}
+
+/// Returns the sums of three neighbours, `step` apart, in units of their deviation. The table's end continues at its start.
+std::vector<float> sums_of_three(const std::vector<float>& noise, std::size_t step) {
+  std::vector<float> sums(noise.size());
+  for (std::size_t i = 0; i < noise.size(); ++i)
+    sums[i] = (noise[i] + noise[(i + step) % noise.size()] + noise[(i + 2 * step) % noise.size()]) / std::sqrt(3.F);
+  return sums;
+}
+
+/// One row of a scene and its neighbours.
+struct Row {
+  const float *above, *here, *below;
+  int width;
+
+  /// Reports whether a neighbour is more than 0.08 m nearer or farther.
+  bool edge(int column) const {
+    const float z = here[column], left = here[std::max(column - 1, 0)], right = here[std::min(column + 1, width - 1)];
+    const float most =
+        std::max({std::abs(left - z), std::abs(right - z), std::abs(above[column] - z), std::abs(below[column] - z)});
+    return most > 0.08F;
+  }
+};
+
+/// The measurement of single depths.
+class Meter {
+ public:
+  Meter(const DepthFrame& frame, double depth_scale)
+      : disparity_(static_cast<float>(frame.intrinsics.focal_x * frame.intrinsics.baseline)),
+        steps_(static_cast<float>(1 / (frame.unit * depth_scale))) {}
+
+  /// Returns the disparity at a depth [px].
+  float disparity(float z) const { return disparity_ / z; }
+
+  /// Returns a depth with an error of `noise` standard deviations, as the image has it.
+  std::uint16_t measured(float z, float noise, float edge_noise) const {
+    float noisy = z + (0.0012F + 0.0019F * (z - 0.4F) * (z - 0.4F)) * noise + edge_noise;
+    if (disparity_ > 0) noisy = 8 * disparity_ / static_cast<float>(static_cast<int>(8 * disparity_ / noisy + 0.5F));
+    return static_cast<std::uint16_t>(std::min(noisy * steps_ + 0.5F, 65535.F));
+  }
+
+ private:
+  float disparity_;  // [px m]
+  float steps_;      // of the image's values in a true metre
+};
+
+/// Returns the chance of a dropout, of 65536.
+std::uint32_t chance_of_dropout(float z, bool edge) {
+  return static_cast<std::uint32_t>(65536 * (edge ? 0.4F : 0.02F + 0.02F * std::max(0.F, z - 4)));
+}
+
+/// Writes one row of the image. `noise` repeats after kTableWidth values from its start; the first column is `shift` in it.
+void measure_row(const Row& row, const Meter& meter, const float* noise, std::size_t shift, Bits& bits,
+                 std::uint16_t* depth) {
+  constexpr float kNearest = 0.5F, kFarthest = 8;  // [m]
+  float shadow_end = -kFar;                        // [px] where the projector's light of the nearest thing so far falls
+  for (int column = 0; column < row.width; ++column) {
+    const float z = row.here[column];
+    const float light = static_cast<float>(column) + meter.disparity(z);
+    const bool shadow = light < shadow_end - 0.5F;
+    shadow_end = std::max(shadow_end, light);
+    const bool edge = row.edge(column);
+    const std::uint32_t chance = bits.next();
+    depth[column] = 0;
+    if (shadow || z > kFarthest || z < kNearest || chance < chance_of_dropout(z, edge)) continue;
+    const std::size_t place = (shift + static_cast<std::size_t>(column)) % kTableWidth;
+    const float edge_noise = edge ? 0.02F * noise[(place + kTableWidth / 2) % kTableWidth] : 0;
+    depth[column] = meter.measured(z, noise[place], edge_noise);
+  }
+}
+
+using Colour = std::array<std::uint8_t, 3>;
+
+constexpr Colour colour_of(Material material) {
+  switch (material) {
+    case Material::nothing: return {40, 40, 45};
+    case Material::carpet: return {40, 120, 50};
+    case Material::line: return {225, 230, 225};
+    case Material::wall: return {150, 140, 130};
+    case Material::post: return {235, 235, 230};
+    case Material::robot: return {205, 205, 215};
+    case Material::person: return {35, 35, 50};
+    case Material::orange: return {235, 110, 25};
+    case Material::white: return {230, 230, 230};
+    case Material::black:
+    case Material::patches: return {30, 30, 30};
+  }
+  return {};
+}
+
+/// Returns the material that a pixel seems to have. Draws no random bits for pixels that are certain.
+Material seeming(Material material, Bits& bits) {
+  if (material == Material::orange && bits.next() < 65536 / 20) return Material::carpet;
+  return material;
+}
+
+}  // namespace
+
+DisparityNoise::DisparityNoise() : correlated_(sums_of_three(sums_of_three(white_noise(), 1), kTableWidth)) {}
+
+void DisparityNoise::measure(const Cast& cast, double depth_scale, std::uint64_t number, DepthFrame& frame) const {
+  const auto width = static_cast<std::size_t>(frame.intrinsics.width);
+  const auto height = static_cast<std::size_t>(frame.intrinsics.height);
+  const Meter meter(frame, depth_scale);
+  Bits bits(number);
+  const std::size_t shift = bits.next() % kTableWidth, first_row = bits.next() % kTableHeight;
+  frame.depth.resize(width * height);
+  for (std::size_t y = 0; y < height; ++y) {
+    const float* const here = &cast.depth[y * width];
+    const Row row{y > 0 ? here - width : here, here, y + 1 < height ? here + width : here, static_cast<int>(width)};
+    const float* const noise = &correlated_[(first_row + y) % kTableHeight * kTableWidth];
+    measure_row(row, meter, noise, shift, bits, &frame.depth[y * width]);
+  }
+}
+
+void DisparityNoise::colour(const Cast& cast, std::uint64_t number, DepthFrame& frame) {
+  const auto width = static_cast<std::size_t>(frame.intrinsics.width);
+  Bits bits(~number);
+  frame.rgb.resize(3 * cast.material.size());
+  const auto paint = [&](std::size_t pixel, Material material) {
+    const Colour colour = colour_of(material);
+    std::copy(colour.begin(), colour.end(), &frame.rgb[3 * pixel]);
+  };
+  for (std::size_t pixel = 0; pixel < cast.material.size(); ++pixel)
+    paint(pixel, seeming(cast.material[pixel % width == 0 ? pixel : pixel - 1], bits));
+  for (std::size_t i = 0; i < cast.material.size() / 100'000; ++i)
+    paint((static_cast<std::size_t>(bits.next()) << 16 | bits.next()) % cast.material.size(), Material::orange);
+}
+
+}  // namespace robot::truth
