@@ -13,16 +13,22 @@ using robot::truth::Intrinsics;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-/// Returns the parameter at which the ray enters the box, by its slabs.
-double entry_of(const Box& box, const Eigen::Vector3d& eye, const Eigen::Vector3d& ray) {
-  const double least[] = {box.least.x(), box.least.y(), 0}, most[] = {box.most.x(), box.most.y(), box.height};
+/// A ray from the sensor, in plain numbers: a test without optimisation renders 300,000 of them.
+struct Ray {
+  double eye[3], way[3];  // [m, field] per metre of depth
+};
+
+/// Returns the depth at which the ray enters the box, by its slabs.
+double entry_of(const Box& box, const Ray& ray) {
+  const double least[] = {box.least[0], box.least[1], 0}, most[] = {box.most[0], box.most[1], box.height};
   double from = 0, to = kNowhere;
   for (int i = 0; i < 3; ++i) {
-    const double a = (least[i] - eye[i]) / ray[i], b = (most[i] - eye[i]) / ray[i];
+    const double a = (least[i] - ray.eye[i]) / ray.way[i], b = (most[i] - ray.eye[i]) / ray.way[i];
     from = std::max(from, std::min(a, b));
     to = std::min(to, std::max(a, b));
+    if (from > to) return kNowhere;
   }
-  return from < to ? from : kNowhere;
+  return from;
 }
 
 /// Returns the depth as a sensor of disparities measures it, in steps.
@@ -49,14 +55,16 @@ DepthFrame GroundScene::depth_image(std::mt19937* random) const {
   constexpr double kFarthest = 8;  // [m]
   DepthFrame frame{.intrinsics = intrinsics};
   frame.depth.reserve(static_cast<std::size_t>(intrinsics.width * intrinsics.height));
-  const Eigen::Vector3d eye = field_from_sensor.translation();
   const Eigen::Matrix3d turn = field_from_sensor.linear();
+  Ray ray;
+  Eigen::Vector3d::Map(ray.eye) = field_from_sensor.translation();
   for (int row = 0; row < intrinsics.height; ++row)
     for (int column = 0; column < intrinsics.width; ++column) {
-      const Eigen::Vector3d ray = turn * Eigen::Vector3d((column + 0.5 - intrinsics.centre_x) / intrinsics.focal_x,
-                                                         (row + 0.5 - intrinsics.centre_y) / intrinsics.focal_y, 1);
-      double z = ray.z() < 0 ? -eye.z() / ray.z() : kNowhere;
-      for (const Box& box : boxes) z = std::min(z, entry_of(box, eye, ray));
+      const double x = (column + 0.5 - intrinsics.centre_x) / intrinsics.focal_x;
+      const double y = (row + 0.5 - intrinsics.centre_y) / intrinsics.focal_y;
+      for (int i = 0; i < 3; ++i) ray.way[i] = turn(i, 0) * x + turn(i, 1) * y + turn(i, 2);
+      double z = ray.way[2] < 0 ? -ray.eye[2] / ray.way[2] : kNowhere;
+      for (const Box& box : boxes) z = std::min(z, entry_of(box, ray));
       const double depth = z < kFarthest ? measured(intrinsics, z, random) / depth_scale : 0;
       frame.depth.push_back(static_cast<std::uint16_t>(std::lround(depth / frame.unit)));
     }

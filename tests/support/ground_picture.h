@@ -15,8 +15,7 @@ double normal_number(std::mt19937& random);
 
 /// An upright box on the carpet, parallel to the axes [m, field].
 struct Box {
-  Eigen::Vector2d least, most;
-  double height;
+  double least[2], most[2], height;
 };
 
 /// A sensor that looks at a field.

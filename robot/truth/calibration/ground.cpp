@@ -70,7 +70,7 @@ struct SampleGrid {
     std::vector<GroundSample> inner;
     for (int row = 0; row < rows; ++row)
       for (int column = 0; column < columns; ++column)
-        if (at(column, row) && on(plane, column, row) && on(plane, column - 1, row) && on(plane, column + 1, row) &&
+        if (on(plane, column, row) && on(plane, column - 1, row) && on(plane, column + 1, row) &&
             on(plane, column, row - 1) && on(plane, column, row + 1))
           inner.push_back(*at(column, row));
     return inner;
