@@ -55,9 +55,10 @@ struct Calibration {
 };
 
 /// Calibrates a sensor. Without `ground` (a colour camera) the landmarks alone determine the pose. Needs no guess of the pose;
-/// single wrong clicks are found. Returns an Error if there is nothing to report: a click of an unknown or a repeated
-/// landmark or outside of the picture, fewer than four landmarks, all landmarks near one line, a mirrored field.
-/// A calibration that could be computed but must not be used has the reason in `refused`.
+/// single wrong clicks are found. A calibration that could be computed but must not be used has the reason in `refused`.
+///
+/// Returns an Error if there is no calibration to report. Each landmark must be known, clicked once, and in the picture. At
+/// least four are needed, and they must not lie near one line or fit a mirrored field.
 Result<Calibration> calibrate(const std::vector<Landmark>& landmarks, const std::vector<Click>& clicks,
                               const Camera& camera, const std::optional<Ground>& ground,
                               const CalibrationOptions& options = {});

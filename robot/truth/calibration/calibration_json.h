@@ -22,11 +22,12 @@ Result<std::vector<Click>> parse_clicks(std::string_view text);
 /// Returns the message that clicks_of() reads.
 nlohmann::json to_json(const std::vector<Click>& clicks);
 
-/// Returns the answer to clicks:
+/// Returns the answer to clicks. "refused" is empty for a good calibration.
+/// Of an Error, the answer is only {"fitted": false, "refused": the sentence}.
+///
 /// {"fitted", "refused", "residuals": [{"landmark", "pixels", "outlier"}], "depth_scale", "depth_scale_deviation",
 /// "error": {"mean", "p95", "grid": [{"x", "y", "metres"}]}, "ball_error": the same, "left_out": {"mean", "worst",
-/// "landmark"}, "place": {"rotation": [9 numbers row by row], "x", "y", "z"}}. "refused" is empty for a good calibration.
-/// Of an Error, the answer is only {"fitted": false, "refused": the sentence}.
+/// "landmark"}, "place": {"rotation": [9 numbers row by row], "x", "y", "z"}}
 nlohmann::json to_json(const Result<Calibration>& calibration);
 
 /// Returns [{"name", "x", "y", "z"}, …] [m, field].

@@ -36,8 +36,8 @@ struct Fit {
   ViewCovariance covariance = ViewCovariance::Zero();
 };
 
-/// Returns the view with the least cost that a descent from `start` reaches: misses of the landmarks, distances of the
-/// carpet's pixels from z = 0, and the prior, each by its deviation.
+/// Returns the view with the least cost that a descent from `start` reaches. The cost contains the misses of the landmarks,
+/// the distances of the carpet's pixels from z = 0, and the prior, each by its deviation.
 Fit fit_view(const View& start, const std::vector<Sighting>& sightings, const std::optional<Ground>& ground,
              const Prior& prior, Loss loss);
 

@@ -15,8 +15,8 @@ struct Ground {
   Eigen::Vector3d normal = -Eigen::Vector3d::UnitY();  // upwards, of length 1
   double height = 0;                                   // [m] of the sensor above the plane
 
-  /// All pixels of the carpet in four numbers: the squared length of roots * (normal, height) is the sum over the pixels of
-  /// the squared distance from that plane, by its deviation. The sum depends on the plane in no other way.
+  /// All pixels of the carpet in four numbers. The squared length of roots * (normal, height) is a sum over the pixels: of
+  /// their squared distances from that plane, each by its deviation.
   Eigen::Matrix4d roots = Eigen::Matrix4d::Zero();
   int pixels = 0;  // their number: some thousand, far enough from each other to have independent noise
 };

@@ -14,11 +14,12 @@ namespace robot::truth {
 namespace {
 
 constexpr std::size_t kFewestLandmarks = 4;
-constexpr double kLeastSpread = 0.15;   // [m] deviation of the landmarks from a line
-constexpr double kSameSpot = 5;         // [px] a click this near to another landmark belongs to that one
-constexpr double kBeyondChance = 3.5;   // deviations of a normal distribution
-constexpr double kScaleDeviations = 3;  // of the prior, that a depth scale may be away from 1
-constexpr std::size_t kMostNamed = 40;  // letters of a wrong name that a sentence repeats
+constexpr std::size_t kClicksPerOutlier = 5;  // more wrong clicks are no accident
+constexpr double kLeastSpread = 0.15;         // [m] deviation of the landmarks from a line
+constexpr double kSameSpot = 5;               // [px] a click this near to another landmark belongs to that one
+constexpr double kBeyondChance = 3;           // deviations of a normal distribution
+constexpr double kScaleDeviations = 3;        // of the prior, that a depth scale may be away from 1
+constexpr std::size_t kMostNamed = 40;        // letters of a wrong name that a sentence repeats
 
 const char* half_of(double x, const Camera& camera) {
   return x < camera.intrinsics.width / 2. ? "left half of the picture" : "right half of the picture";
@@ -138,7 +139,7 @@ struct Judgement {
     const auto outliers = static_cast<std::size_t>(std::count_if(
         calibration.residuals.begin(), calibration.residuals.end(), [](const auto& it) { return it.outlier; }));
     const std::size_t all = calibration.residuals.size();
-    if (all - outliers >= kFewestLandmarks && 3 * outliers <= all) return {};
+    if (all - outliers >= kFewestLandmarks && kClicksPerOutlier * outliers <= all) return {};
     return formatted(
         "%zu of %zu clicks do not fit the others, and the worst is '%s' by %.0f px: click it again, and check the "
         "sizes of "

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "tests/support/ground_picture.h"
 
 namespace robot::truth {
@@ -77,6 +79,32 @@ TEST(Fit, IsAsUncertainAsItsClicks) {
   for (Sighting& sighting : sighted.sightings) sighting.deviation = 2;
   const auto twice = fit_view(start, sighted.sightings, {}, prior, Loss::squares).covariance;
   EXPECT_TRUE((4 * once.topLeftCorner<6, 6>()).isApprox(twice.topLeftCorner<6, 6>(), 1e-3));
+}
+
+TEST(Fit, IsAsFarOffAsItsCovarianceSays) {
+  const Sighted sighted;
+  const Prior prior{.camera = sighted.camera};
+  const View start = sighted.start(sighted.camera);
+  std::mt19937 random(1);
+  int inside = 0;
+  constexpr int kTrials = 60;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    std::vector<Sighting> noisy = sighted.sightings;
+    for (Sighting& sighting : noisy)
+      sighting.pixel += Eigen::Vector2d(tests::normal_number(random), tests::normal_number(random));
+    const Fit fit = fit_view(start, noisy, {}, prior, Loss::squares);
+
+    // the step from the fit to the truth
+    const Eigen::Isometry3d &fitted = fit.view.field_from_sensor, &exact = sighted.scene.field_from_sensor;
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(fitted.linear().transpose() * exact.linear()));
+    Eigen::Matrix<double, 6, 1> error;
+    error << turn.angle() * turn.axis(), exact.translation() - fitted.translation();
+    constexpr double kInside95 = 12.592;  // of six normal numbers
+    const Eigen::Matrix<double, 6, 6> covariance = fit.covariance.topLeftCorner<6, 6>();
+    inside += error.dot(covariance.inverse() * error) < kInside95 ? 1 : 0;
+  }
+  EXPECT_GE(inside, 53);
+  EXPECT_LT(inside, kTrials);
 }
 
 TEST(Miss, IsTheDistanceInThePicture) {

@@ -106,7 +106,7 @@ TEST(Refusal, OfTooManyOutliersNamesTheWorst) {
 
 TEST(Refusal, OfResidualsBeyondChanceNamesTheWorst) {
   Clicks clicks = refusal_lab().clicks();
-  for (std::size_t i = 0; i < clicks.size(); ++i) clicks[i].x += i % 2 == 0 ? 2.8 : -2.8;
+  for (std::size_t i = 0; i < clicks.size(); ++i) clicks[i].x += i % 2 == 0 ? 2.4 : -2.4;
   const std::string sentence = refusal_lab().sentence(clicks);
   EXPECT_TRUE(sentence.starts_with("the clicks miss by ")) << sentence;
   EXPECT_EQ(refusal_lab().sentence(clicks, {.click_deviation = 3}), "") << "such clicks were expected";
