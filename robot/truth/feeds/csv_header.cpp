@@ -70,6 +70,13 @@ std::optional<CsvThing> thing_of(const std::vector<std::string_view>& words) {
 
 bool same(const CsvThing& a, const CsvThing& b) { return a.ball == b.ball && a.team == b.team && a.player == b.player; }
 
+/// Returns the names of the columns of a place, for sentences.
+std::string columns_of(const CsvThing& thing) {
+  if (thing.ball) return "ball_x and ball_y";
+  if (!thing.team) return "x and y";
+  return formatted("x_%u_%u and y_%u_%u", *thing.team, *thing.player, *thing.team, *thing.player);
+}
+
 /// Puts the columns of a header in their places.
 class HeaderReader {
  public:
@@ -88,7 +95,7 @@ class HeaderReader {
     else if (const auto place = place_of(name, index))
       fits = set(*place->slot, place->column);
     else
-      header_.ignored.push_back(text);
+      header_.ignored.push_back(printable(text, 40));
     if (!fits) return Error{"expected each column once, got '" + text + "' and another one like it"};
     return {};
   }
@@ -99,7 +106,8 @@ class HeaderReader {
     header_.time = *time_;
     if (header_.things.empty()) return Error{"expected columns ball_x, x_<team>_<player> or x, got none"};
     for (const CsvThing& thing : header_.things) {
-      if (!thing.x || !thing.y) return Error{"expected a column x and a column y of each thing, got only one of them"};
+      if (!thing.x || !thing.y)
+        return Error{"expected both columns " + columns_of(thing) + ", got at most one of them"};
       const bool is_long = !thing.ball && !thing.team;
       if (is_long && !(header_.team && header_.player && header_.things.size() == 1))
         return Error{"expected columns team and player, and no others of places, beside a column x"};

@@ -108,7 +108,7 @@ Result<void> add_view(const ssl_vision::DetectionFrame& frame, const SslTeams& t
   return {};
 }
 
-/// Returns the size of the field, or nothing for numbers that are none: before 2014 they had other meanings.
+/// Returns the size of the field, or nothing for implausible numbers: before 2014 they had other meanings.
 std::optional<SslField> field_of(const ssl_vision::GeometryData& geometry) {
   if (!geometry.IsInitialized()) return std::nullopt;
   const ssl_vision::GeometryFieldSize& size = geometry.field();

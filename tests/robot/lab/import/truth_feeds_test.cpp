@@ -54,7 +54,7 @@ TEST(ImportTruthCsv, BecomesASessionThatInspectReads) {
   EXPECT_EQ(report->session.start_ns, kEpochNs);
 
   // each message is the moment of its line
-  const auto records = tests::read_stream(logging::read_session(folder / "session")->streams.at(0).path);
+  const auto records = tests::read_stream(folder / "session" / report->streams[0].file);
   const auto csv = truth::read_truth_csv(text);
   ASSERT_EQ(records.size(), csv->moments.size());
   for (std::size_t i = 0; i < records.size(); ++i) {

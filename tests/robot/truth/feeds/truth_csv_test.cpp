@@ -135,9 +135,10 @@ TEST(TruthCsv, AWrongHeaderIsRefused) {
   EXPECT_EQ(refusal(""), "line 1: expected a column t, such as 't', 't_ns' or 'time', got none");
   EXPECT_EQ(refusal("ball_x,ball_y"), "line 1: expected a column t, such as 't', 't_ns' or 'time', got none");
   EXPECT_EQ(refusal("t,a,b"), "line 1: expected columns ball_x, x_<team>_<player> or x, got none");
-  EXPECT_EQ(refusal("t,ball_x"), "line 1: expected a column x and a column y of each thing, got only one of them");
+  EXPECT_EQ(refusal("t,ball_x"), "line 1: expected both columns ball_x and ball_y, got at most one of them");
   EXPECT_EQ(refusal("t,x_14_2,y_14_2,heading_14_3"),
-            "line 1: expected a column x and a column y of each thing, got only one of them");
+            "line 1: expected both columns x_14_3 and y_14_3, got at most one of them");
+  EXPECT_EQ(refusal("t,team,player,x"), "line 1: expected both columns x and y, got at most one of them");
   EXPECT_EQ(refusal("t,ball_x,ball_y,ball_x_mm"),
             "line 1: expected each column once, got 'ball_x_mm' and another one like it");
   EXPECT_EQ(refusal("t,x,y"), "line 1: expected columns team and player, and no others of places, beside a column x");
