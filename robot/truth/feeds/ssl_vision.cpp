@@ -10,8 +10,8 @@
 namespace robot::truth {
 namespace {
 
-constexpr std::uint64_t kSilenceNs = kSecond;          // a camera without packets for this time is gone
-constexpr std::uint64_t kRoundNs = 50 * kMillisecond;  // images of one world are not farther apart
+constexpr std::uint64_t kSilenceNs = kSecond;  // a camera without packets for this time is gone
+constexpr std::uint64_t kLongestRoundNs = 50 * kMillisecond;
 
 /// Returns the time from `then` to `now`, or 0 if it is the other way round.
 std::uint64_t since(std::uint64_t then, std::uint64_t now) { return now - std::min(then, now); }
@@ -33,11 +33,11 @@ Result<std::optional<TimedTruth>> SslVision::take(std::string_view bytes, std::u
 
   forget_silent_cameras(received_ns);
   if (is_old(view)) return std::optional<TimedTruth>();
-  cameras_[view.camera] = {.frame = view.frame, .sent = view.sent, .received_ns = received_ns};
-
   const std::uint64_t capture_ns = since(view.latency_ns, received_ns);
   std::optional<TimedTruth> world;
-  if (closes_round(view, capture_ns)) world = close_round();
+  if (closes_round(view.camera, capture_ns, longest_round_ns(view.camera, received_ns))) world = close_round();
+  cameras_[view.camera] = {.frame = view.frame, .sent = view.sent, .received_ns = received_ns};
+
   if (round_.empty()) first_capture_ns_ = last_capture_ns_ = capture_ns;
   first_capture_ns_ = std::min(first_capture_ns_, capture_ns);
   last_capture_ns_ = std::max(last_capture_ns_, capture_ns);
@@ -67,10 +67,22 @@ void SslVision::forget_silent_cameras(std::uint64_t now_ns) {
   std::erase_if(cameras_, [&](const auto& entry) { return since(entry.second.received_ns, now_ns) >= kSilenceNs; });
 }
 
-bool SslVision::closes_round(const SslView& view, std::uint64_t capture_ns) const {
+/// Returns the longest time between the first image of a world and one of this camera [ns].
+///
+/// The images of n cameras out of step spread over (n - 1) / n of the time between two images. If they take longer, an image
+/// is paired with one of the moment before, as after the start with cameras in step: a new round gives better pairs.
+std::uint64_t SslVision::longest_round_ns(std::uint32_t camera, std::uint64_t received_ns) const {
+  const auto known = cameras_.find(camera);
+  if (known == cameras_.end()) return kLongestRoundNs;
+  const std::uint64_t between_images_ns = since(known->second.received_ns, received_ns);
+  return std::min(kLongestRoundNs, between_images_ns - between_images_ns / (2 * cameras_.size()));
+}
+
+bool SslVision::closes_round(std::uint32_t camera, std::uint64_t capture_ns, std::uint64_t longest_ns) const {
   if (round_.empty()) return false;
-  if (since(first_capture_ns_, capture_ns) > kRoundNs || since(capture_ns, last_capture_ns_) > kRoundNs) return true;
-  return std::ranges::find(round_, view.camera, &SslView::camera) != round_.end();
+  if (since(first_capture_ns_, capture_ns) > longest_ns || since(capture_ns, last_capture_ns_) > longest_ns)
+    return true;
+  return std::ranges::find(round_, camera, &SslView::camera) != round_.end();
 }
 
 TimedTruth SslVision::close_round() {

@@ -25,8 +25,8 @@ struct SslVisionCounts {
 /// The world that SSL-Vision sees, from packets of all its cameras. Pure: the caller gives the times of arrival.
 ///
 /// SSL-Vision sends one packet for each image of each camera. A world is complete when each camera that was heard in the
-/// last second has sent one. It is also complete when a camera sends again before another one has, or when its images are
-/// 50 ms apart. Then the missing camera's things are missing.
+/// last second has sent one. It is also complete when a camera sends again before another one has, or when an image would
+/// fit better into the next world; its images are at most 50 ms apart. Then the missing camera's things are missing.
 ///
 /// Times: the sender's clock is not ours, so only its differences count. The capture time of an image is the time of its
 /// packet's arrival minus (t_sent - t_capture). It is late by the network's delay, below 1 ms by cable. The capture time of
@@ -60,7 +60,8 @@ class SslVision {
 
   bool is_old(const SslView& view);
   void forget_silent_cameras(std::uint64_t now_ns);
-  bool closes_round(const SslView& view, std::uint64_t capture_ns) const;
+  std::uint64_t longest_round_ns(std::uint32_t camera, std::uint64_t received_ns) const;
+  bool closes_round(std::uint32_t camera, std::uint64_t capture_ns, std::uint64_t longest_ns) const;
   TimedTruth close_round();
 
   const SslTeams teams_;

@@ -45,7 +45,7 @@ TEST_F(SslVisionPackets, TeamsHaveTheNumbersOfTheOptions) {
 
 TEST_F(SslVisionPackets, AWorldIsCompleteWhenEachCameraHasSentOne) {
   EXPECT_TRUE(take({.camera = 0, .frame = 1}, 0));
-  EXPECT_FALSE(take({.camera = 1, .frame = 1, .yellow = {{.id = 1, .x = 1000}}}, 2));  // now there are two
+  EXPECT_FALSE(take({.camera = 1, .frame = 1, .yellow = {{.id = 1, .x = 1000}}}, 8));  // now there are two
   const auto first = take({.camera = 0, .frame = 2, .sent = 5000.016, .yellow = {{.id = 1, .x = 1020}, {.id = 2}}}, 16);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->truth.robots_size(), 2);
@@ -54,14 +54,34 @@ TEST_F(SslVisionPackets, AWorldIsCompleteWhenEachCameraHasSentOne) {
   EXPECT_NEAR(static_cast<double>(first->capture_ns - kStartNs), 8e6, 10);  // that of the newest image
   for (std::uint32_t i = 3; i < 20; ++i) {
     const double sent = 5000 + 0.016 * i;
-    EXPECT_FALSE(take({.camera = 1, .frame = i, .sent = sent}, 16 * i));
-    EXPECT_TRUE(take({.camera = 0, .frame = i, .sent = sent}, 16 * i + 1));
+    EXPECT_FALSE(take({.camera = 1, .frame = i, .sent = sent}, 16 * i - 8));
+    EXPECT_TRUE(take({.camera = 0, .frame = i, .sent = sent}, 16 * i));
   }
+}
+
+TEST_F(SslVisionPackets, CamerasInStepArePairedWithTheirImagesOfTheSameMoment) {
+  for (std::uint32_t i = 1; i < 20; ++i) {
+    const double sent = 5000 + 0.016 * i;
+    const auto early = take({.camera = 0, .frame = i, .sent = sent, .yellow = {{.id = 1}}}, 16 * i);
+    EXPECT_EQ(early.has_value(), i <= 2) << i;  // only until it is known that there are two
+    const auto both = take({.camera = 1, .frame = i, .sent = sent, .blue = {{.id = 1}}}, 16 * i + 1);
+    ASSERT_EQ(both.has_value(), i > 1) << i;
+    EXPECT_TRUE(!both || both->truth.robots_size() == 2) << i;
+  }
+}
+
+TEST_F(SslVisionPackets, ThreeCamerasOutOfStepMakeOneWorldPerTurn) {
+  int worlds = 0;
+  for (std::uint32_t i = 1; i <= 60; ++i)
+    for (std::uint32_t camera = 0; camera < 3; ++camera)
+      worlds += take({.camera = camera, .frame = i, .sent = 5000 + 0.018 * i}, 18 * i + 6 * camera).has_value();
+  EXPECT_GE(worlds, 59);
+  EXPECT_LE(worlds, 61);
 }
 
 TEST_F(SslVisionPackets, ThingsOfACameraThatMissedAnImageAreMissing) {
   take({.camera = 0, .frame = 1}, 0);
-  take({.camera = 1, .frame = 1}, 1);
+  take({.camera = 1, .frame = 1}, 8);
   ASSERT_TRUE(take({.camera = 0, .frame = 2, .sent = 5000.016}, 16));
   EXPECT_FALSE(take({.camera = 0, .frame = 3, .sent = 5000.032, .balls = {{.x = 500}}}, 32));
   const auto world = take({.camera = 0, .frame = 4, .sent = 5000.048, .balls = {{.x = 600}}}, 48);
