@@ -1,6 +1,5 @@
 #include "robot/truth/feeds/csv_time.h"
 
-#include <charconv>
 #include <chrono>
 
 #include "robot/core/clock.h"

@@ -25,8 +25,8 @@ struct SslVisionCounts {
 /// The world that SSL-Vision sees, from packets of all its cameras. Pure: the caller gives the times of arrival.
 ///
 /// SSL-Vision sends one packet for each image of each camera. A world is complete when each camera that was heard in the
-/// last second has sent one. It is also complete when a camera sends again before another one has, or when an image would
-/// fit better into the next world; its images are at most 50 ms apart. Then the missing camera's things are missing.
+/// last second has sent one. A camera that sends again before another one has, or whose image fits better into the next
+/// world, also completes it: the other camera's things are then missing. Images of one world are at most 50 ms apart.
 ///
 /// Times: the sender's clock is not ours, so only its differences count. The capture time of an image is the time of its
 /// packet's arrival minus (t_sent - t_capture). It is late by the network's delay, below 1 ms by cable. The capture time of

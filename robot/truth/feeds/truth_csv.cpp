@@ -1,7 +1,5 @@
 #include "robot/truth/feeds/truth_csv.h"
 
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -9,14 +7,13 @@
 #include "robot/core/text.h"
 #include "robot/truth/feeds/angle.h"
 #include "robot/truth/feeds/csv_header.h"
-#include "robot/truth/feeds/csv_time.h"
+#include "robot/truth/feeds/csv_row.h"
 
 namespace robot::truth {
 namespace {
 
 constexpr double kFarthest = 100;                              // [m]
 constexpr double kLargestHeading = 1000;                       // [rad] trackers that count turns
-constexpr double kLastTimeNs = 9e18;                           // the year 2255
 constexpr std::uint64_t kDatedNs = 1'000'000'000'000'000'000;  // 2001
 constexpr std::size_t kLongestHeader = 65'536;                 // [bytes]
 constexpr int kMostRobots = 500;                               // at one moment of the long form
@@ -30,89 +27,12 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-/// Returns a time in nanoseconds. Today's seconds times 10^9 would be beyond the exact whole numbers of a double.
-std::uint64_t nanoseconds_of(double time, double scale) {
-  const double whole = std::floor(time);
-  return static_cast<std::uint64_t>(whole) * static_cast<std::uint64_t>(scale) +
-         static_cast<std::uint64_t>(std::llround((time - whole) * scale));
-}
-
-/// Reports whether a cell says that nothing was measured.
-bool is_absent(std::string_view cell) { return cell.empty() || cell == "nan" || cell == "NaN" || cell == "NAN"; }
-
-/// The cells of one line. The first wrong cell is kept as a sentence.
-class Row {
- public:
-  Row(const CsvHeader& header, std::string_view line) : header_(header), cells_(csv_cells(line, header.separator)) {
-    if (cells_.size() != header.names.size())
-      fault_ = formatted("expected %zu cells, got %zu", header.names.size(), cells_.size());
-    cells_.resize(header.names.size());
-  }
-
-  const std::string& fault() const { return fault_; }
-
-  /// Returns the number in a column [m or rad], or nothing if it is absent.
-  std::optional<double> number(const CsvColumn& column, double limit) {
-    const std::string_view cell = cells_[column.index];
-    if (is_absent(cell)) return std::nullopt;
-    const auto value = number_in<double>(cell);
-    if (value && std::abs(*value * column.scale) <= limit) return *value * column.scale;
-    complain(column.index, formatted("a number of %g .. %g [%s]", -limit / column.scale, limit / column.scale,
-                                     std::string(column.unit).c_str()));
-    return std::nullopt;
-  }
-
-  /// Returns the time [ns].
-  std::uint64_t time_ns() {
-    const CsvColumn& column = header_.time;
-    const std::string_view cell = cells_[column.index];
-    if (const auto iso = parse_iso_time(cell)) return *iso;
-    const auto whole = number_in<std::uint64_t>(cell);
-    if (whole && column.scale == 1 && static_cast<double>(*whole) <= kLastTimeNs) return *whole;
-    const auto value = number_in<double>(cell);
-    if (value && *value >= 0 && *value * column.scale <= kLastTimeNs) return nanoseconds_of(*value, column.scale);
-    complain(column.index,
-             formatted("a time [%s] of at least 0 or as in 2026-03-14T15:09:26Z", std::string(column.unit).c_str()));
-    return 0;
-  }
-
-  /// Returns the number of a team or player in [least, most], or nothing if it is absent.
-  std::optional<std::uint32_t> id(std::size_t index, std::uint32_t least, std::uint32_t most) {
-    if (is_absent(cells_[index])) return std::nullopt;
-    const auto value = number_in<std::uint32_t>(cells_[index]);
-    if (value && *value >= least && *value <= most) return value;
-    complain(index, formatted("a whole number of %u .. %u", least, most));
-    return std::nullopt;
-  }
-
-  bool says(std::size_t index, std::string_view word) const { return cells_[index] == word; }
-
-  void complain(std::size_t index, const std::string& expected) {
-    if (fault_.empty())
-      fault_ =
-          "column " + header_.names[index] + ": expected " + expected + ", got '" + printable(cells_[index], 40) + "'";
-  }
-
- private:
-  const CsvHeader& header_;
-  std::vector<std::string_view> cells_;
-  std::string fault_;
-};
-
 /// A place in a row. Absent as a whole if the thing was not seen.
 struct RowPlace {
   double x = 0, y = 0;
 };
 
-std::optional<RowPlace> place_in(Row& row, const CsvThing& thing) {
+std::optional<RowPlace> place_in(CsvRow& row, const CsvThing& thing) {
   const auto x = row.number(*thing.x, kFarthest), y = row.number(*thing.y, kFarthest);
   if (x && y) return RowPlace{*x, *y};
   if (x || y) row.complain((x ? thing.y : thing.x)->index, "a number, because x or y is there");
@@ -122,7 +42,7 @@ std::optional<RowPlace> place_in(Row& row, const CsvThing& thing) {
 /// Adds the things of one row to a message.
 class Filler {
  public:
-  Filler(const CsvHeader& header, Row& row, pb::GroundTruth& truth) : header_(header), row_(row), truth_(truth) {}
+  Filler(const CsvHeader& header, CsvRow& row, pb::GroundTruth& truth) : header_(header), row_(row), truth_(truth) {}
 
   void fill() {
     for (const CsvThing& thing : header_.things) add(thing);
@@ -159,13 +79,13 @@ class Filler {
   }
 
   const CsvHeader& header_;
-  Row& row_;
+  CsvRow& row_;
   pb::GroundTruth& truth_;
 };
 
 /// Adds a line to the moments. Returns a sentence if it is wrong; the moments are then as before.
 std::string add_line(const CsvHeader& header, std::string_view line, std::vector<TimedTruth>& moments) {
-  Row row(header, line);
+  CsvRow row(header, line);
   if (!row.fault().empty()) return row.fault();
   const std::uint64_t time_ns = row.time_ns();
   const bool later = moments.empty() || time_ns > moments.back().capture_ns;
