@@ -7,8 +7,12 @@
 #include "robot/lab/import/nblog.h"
 #include "robot/lab/import/session_sink.h"
 #include "robot/lab/import/spl_labels.h"
+#include "robot/lab/import/truth_feeds.h"
 #include "robot/lab/synthetic/synthetic.h"
+#include "robot/logging/sessions/session_name.h"
 #include "robot/logging/sessions/session_writer.h"
+#include "robot/truth/feeds/ssl_log.h"
+#include "robot/truth/feeds/truth_csv.h"
 
 namespace robot::app {
 namespace {
@@ -20,14 +24,26 @@ constexpr std::size_t kMaxRecordingBytes = 2'000'000'000;
 std::string format_of(std::string_view bytes) {
   // an nblog begins with 4 bytes for the size of its header; the header begins with its name
   if (bytes.size() > 10 && bytes.substr(4, 6) == "(nblog") return "nblog";
-  return lab::labels::is_label_file(bytes) ? "spl_labels" : "bhuman2009";
+  if (truth::is_ssl_log(bytes)) return "ssl_log";
+  if (lab::labels::is_label_file(bytes)) return "spl_labels";
+  return truth::is_truth_csv(bytes) ? "truth_csv" : "bhuman2009";
 }
 
-Result<lab::ImportReport> import_bytes(const std::string& format, std::string_view bytes, lab::ImportSink& sink) {
+/// Returns the time of the beginning of a recording [ns since the epoch].
+std::uint64_t start_ns_of(const std::string& format, std::string_view bytes) {
+  if (format == "ssl_log") return lab::ssl_log_date(bytes).value_or(kUndatedEpochNs);
+  if (format == "truth_csv") return lab::truth_csv_date(bytes).value_or(kUndatedEpochNs);
+  return kUndatedEpochNs;
+}
+
+Result<lab::ImportReport> import_bytes(const std::string& format, std::string_view bytes, const truth::SslTeams& teams,
+                                       lab::ImportSink& sink) {
   if (format == "bhuman2009") return lab::import_bhuman2009(bytes, kUndatedEpochNs, sink);
   if (format == "nblog") return lab::import_nblog(bytes, kUndatedEpochNs, sink);
   if (format == "spl_labels") return lab::import_spl_labels(bytes, kUndatedEpochNs, sink);
-  return Error{"import: expected the format bhuman2009, nblog, spl_labels or auto, got '" + format + "'"};
+  if (format == "ssl_log") return lab::import_ssl_log(bytes, teams, sink);
+  if (format == "truth_csv") return lab::import_truth_csv(bytes, kUndatedEpochNs, sink);
+  return Error{"import: expected the format auto or one of " + std::string(kImportFormats) + ", got '" + format + "'"};
 }
 
 /// The rules by which a recording was played, as far as its format shows them.
@@ -42,6 +58,7 @@ PlayedBy rules_of(const std::string& format) {
     return {"spl2012:3", "assumed: the rules spl2012:3, because the league of 2009 played three a side on 6 x 4 m"};
   if (format == "nblog")
     return {"spl2025:5", "assumed: the rules spl2025:5, because the league of 2014 played five a side on 9 x 6 m"};
+  if (format == "ssl_log" || format == "truth_csv") return {"", ""};
   return {kWideField, ""};
 }
 
@@ -76,22 +93,28 @@ Result<lab::ImportReport> write_import(const std::filesystem::path& folder, cons
 
 }  // namespace
 
-Result<lab::ImportReport> import_recording(const ImportRequest& request) {
+Result<Imported> import_recording(const ImportRequest& request) {
   const Result<std::string> bytes = read_file(request.file, kMaxRecordingBytes);
   if (!bytes) return bytes.failure("import");
   const std::string format = request.format == "auto" ? format_of(*bytes) : request.format;
   const PlayedBy played = rules_of(format);
-  return write_import(request.session, session_info(request.robot, request.name, played.rules, kUndatedEpochNs),
-                      [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
-                        Result<lab::ImportReport> report = import_bytes(format, *bytes, sink);
-                        if (report && report->messages.empty())
-                          return Error{"import: " + request.file.string() + " contains no message" +
-                                       (report->damage.empty() ? "" : ": " + report->damage)};
-                        if (!report) return report.failure("import: " + request.file.string());
-                        if (!played.assumed.empty())
-                          report->about += (report->about.empty() ? "" : "; ") + played.assumed;
-                        return report;
-                      });
+  const std::uint64_t start_ns = start_ns_of(format, *bytes);
+  const std::filesystem::path session =
+      request.session.empty() ? request.out / logging::session_folder_name(start_ns, request.name, "import")
+                              : request.session;
+  auto report = write_import(session, session_info(request.robot, request.name, played.rules, start_ns),
+                             [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
+                               Result<lab::ImportReport> filled = import_bytes(format, *bytes, request.teams, sink);
+                               if (filled && filled->messages.empty())
+                                 return Error{"import: " + request.file.string() + " contains no message" +
+                                              (filled->damage.empty() ? "" : ": " + filled->damage)};
+                               if (!filled) return filled.failure("import: " + request.file.string());
+                               if (!played.assumed.empty())
+                                 filled->about += (filled->about.empty() ? "" : "; ") + played.assumed;
+                               return filled;
+                             });
+  if (!report) return report.failure();
+  return Imported{.session = session, .report = *std::move(report)};
 }
 
 Result<lab::ImportReport> synthesize(const std::filesystem::path& session, RobotName robot, double seconds) {

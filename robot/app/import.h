@@ -7,22 +7,34 @@
 #include "robot/app/robot_name.h"
 #include "robot/core/result.h"
 #include "robot/lab/import/import_sink.h"
+#include "robot/truth/feeds/ssl_packet.h"
 
 namespace robot::app {
 
 /// The arguments of an import.
 struct ImportRequest {
-  std::string format;  // "bhuman2009", "nblog", "spl_labels", or "auto": recognised by the first bytes of the file
+  std::string format;  // kImportFormats, or "auto": recognised by the first bytes of the file
   std::filesystem::path file;
-  std::filesystem::path session;  // folder that is created
+  std::filesystem::path session;  // folder that is created; empty: one in `out` with a name of time, name and profile
+  std::filesystem::path out;
   RobotName robot;
   std::string name;
+  truth::SslTeams teams;  // of ssl_log
+};
+
+/// The formats of other programs, as in sentences.
+inline constexpr const char* kImportFormats = "bhuman2009, nblog, spl_labels, ssl_log, truth_csv";
+
+/// The result of an import.
+struct Imported {
+  std::filesystem::path session;
+  lab::ImportReport report;
 };
 
 /// Writes the session, with the rules of its game. If no file says them, the session's description says that they are
 /// assumed. From a damaged file it imports everything before the damage, and the report names the damage.
 /// After an Error there is no session.
-Result<lab::ImportReport> import_recording(const ImportRequest& request);
+Result<Imported> import_recording(const ImportRequest& request);
 
 /// Writes a session of the synthetic robot, `seconds` long (1 .. 600).
 Result<lab::ImportReport> synthesize(const std::filesystem::path& session, RobotName robot, double seconds);

@@ -286,6 +286,7 @@ export const rows = {
     "robot/logging/streams",
     "robot/logging/sessions",
     "robot/image",
+    "robot/truth/feeds",
     "proto",
   ],
   "robot/lab/mapping": ["robot/core", "robot/memory", "robot/logging/mcap", "robot/logging/streams", "proto"],

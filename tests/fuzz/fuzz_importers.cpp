@@ -1,4 +1,5 @@
-// Any bytes as a recording of another team. The first byte chooses the importer.
+// Any bytes as a recording of another team or a packet of SSL-Vision. The first byte chooses the reader.
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -6,6 +7,8 @@
 #include "robot/lab/import/bhuman2009.h"
 #include "robot/lab/import/nblog.h"
 #include "robot/lab/import/spl_labels.h"
+#include "robot/lab/import/truth_feeds.h"
+#include "robot/truth/feeds/ssl_vision.h"
 
 namespace {
 
@@ -17,16 +20,30 @@ struct Swallow final : robot::lab::ImportSink {
   }
 };
 
+/// A packet that was read gives places on Earth.
+void take_as_packet(std::string_view bytes) {
+  robot::truth::SslVision vision({});
+  const auto world = vision.take(bytes, ~std::uint64_t{0});
+  if (!world || !*world) return;
+  const auto far = [](float metres) { return !(std::abs(metres) < 51); };
+  if (far((*world)->truth.ball().x()) || far((*world)->truth.ball().y())) __builtin_trap();
+  for (const auto& robot : (*world)->truth.robots())
+    if (far(robot.x()) || far(robot.y()) || !(std::abs(robot.heading()) < 4)) __builtin_trap();
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   Swallow sink;
-  switch (data[0] % 3) {
+  switch (data[0] % 6) {
+    case 5: static_cast<void>(robot::lab::import_ssl_log(bytes, {}, sink)); break;
+    case 4: static_cast<void>(robot::lab::import_truth_csv(bytes, 0, sink)); break;
+    case 3: static_cast<void>(robot::lab::import_spl_labels(bytes, 0, sink)); break;
     case 2: static_cast<void>(robot::lab::import_bhuman2009(bytes, 0, sink)); break;
     case 1: static_cast<void>(robot::lab::import_nblog(bytes, 0, sink)); break;
-    default: static_cast<void>(robot::lab::import_spl_labels(bytes, 0, sink));
+    default: take_as_packet(bytes);
   }
   return 0;
 }

@@ -4,7 +4,6 @@
 #include "robot/app/import.h"
 #include "robot/app/lab/commands.h"
 #include "robot/core/json_library.h"
-#include "robot/logging/sessions/session.h"
 
 namespace robot::app {
 namespace {
@@ -13,27 +12,32 @@ class ImportCommand final : public Command {
  public:
   explicit ImportCommand(CLI::App& app)
       : Command(app.add_subcommand("import", "make a session from another program's recording")) {
-    options().add_option("format", format_, "bhuman2009, nblog, spl_labels, or auto")->required();
-    options().add_option("file", file_, "file of the recording")->required();
+    options().add_option("format", request_.format, std::string("auto, or ") + kImportFormats)->required();
+    options().add_option("file", request_.file, "file of the recording")->required();
     auto* folder = options().add_option_group("where", "one of")->require_option(1);
-    folder->add_option("--out", out_, "log folder; the session becomes a new folder in it");
-    folder->add_option("--session", session_, "folder of the session");
+    folder->add_option("--out", request_.out, "log folder; the session becomes a new folder in it");
+    folder->add_option("--session", request_.session, "folder of the session");
     options().add_option("--robot", robot_, "<team>/<player>: name of the robot in the session")->capture_default_str();
-    options().add_option("--name", name_, "name of the session");
+    options().add_option("--name", request_.name, "name of the session");
+    options()
+        .add_option("--yellow", request_.teams.yellow, "ssl_log: number of the yellow team")
+        ->check(CLI::Range(0, 255))
+        ->capture_default_str();
+    options()
+        .add_option("--blue", request_.teams.blue, "ssl_log: number of the blue team")
+        ->check(CLI::Range(0, 255))
+        ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
   }
 
   int run() override {
     const Result<RobotName> robot_name = parse_robot_name(robot_);
     if (!robot_name) return fail(robot_name.error());
-    const std::string shown = name_.empty() ? std::filesystem::path(file_).stem().string() : name_;
-    const std::filesystem::path folder =
-        session_.empty() ? std::filesystem::path(out_) / logging::session_folder_name(kUndatedEpochNs, shown, "import")
-                         : std::filesystem::path(session_);
-    const auto report =
-        import_recording({.format = format_, .file = file_, .session = folder, .robot = *robot_name, .name = shown});
-    if (!report) return fail(report.error());
-    print(folder, *report);
+    request_.robot = *robot_name;
+    if (request_.name.empty()) request_.name = request_.file.stem().string();
+    const Result<Imported> imported = import_recording(request_);
+    if (!imported) return fail(imported.error());
+    print(imported->session, imported->report);
     return kDone;
   }
 
@@ -56,7 +60,8 @@ class ImportCommand final : public Command {
     std::printf("%s\n", folder.c_str());
   }
 
-  std::string format_, file_, out_, session_, robot_ = "0/1", name_;
+  ImportRequest request_;
+  std::string robot_ = "0/1";
   bool json_ = false;
 };
 

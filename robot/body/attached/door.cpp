@@ -56,7 +56,7 @@ Door::Door(DoorOptions options, const SessionClock& clock, memory::Channels& cha
       board_(board),
       listening_(std::move(listening)),
       bell_(std::move(bell)),
-      objects_(options_.robot, options_.own_objects, channels, clock),
+      objects_(options_.robot, options_.own_objects, options_.written_below, channels, clock),
       spare_(spare_descriptor()) {}
 
 Door::~Door() {

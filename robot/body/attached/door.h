@@ -33,6 +33,9 @@ struct DoorOptions {
   /// Objects of this robot that only the runtime writes.
   std::set<std::string> own_objects = {"runtime", "clock", "parameters", "live_parameters"};
 
+  /// Processes write only topics that begin with this, such as "/truth/". Empty: any.
+  std::string written_below = "";
+
   std::uint64_t first_frame_ns = 5 * kSecond;  // time for the first frame of a connection
 
   /// Called by the door's thread when no process that writes `topic` is connected any more. Empty: nobody asks.

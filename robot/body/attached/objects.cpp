@@ -31,8 +31,13 @@ std::string in_quotes(std::string_view text) { return "'" + printable(text, 80) 
 
 }  // namespace
 
-Objects::Objects(std::string robot, std::set<std::string> own, memory::Channels& channels, const Clock& clock)
-    : robot_(std::move(robot)), own_(std::move(own)), channels_(channels), clock_(clock) {}
+Objects::Objects(std::string robot, std::set<std::string> own, std::string written_below, memory::Channels& channels,
+                 const Clock& clock)
+    : robot_(std::move(robot)),
+      own_(std::move(own)),
+      written_below_(std::move(written_below)),
+      channels_(channels),
+      clock_(clock) {}
 
 Result<std::string> Objects::topic_of(std::string_view name) const {
   std::string topic = name.starts_with('/') ? std::string(name) : "/" + robot_ + "/" + std::string(name);
@@ -74,6 +79,9 @@ Result<std::shared_ptr<memory::Channel>> Objects::channel_of(memory::ChannelInfo
   if (const std::string own = "/" + robot_ + "/";
       announced.topic.starts_with(own) && own_.contains(announced.topic.substr(own.size())))
     return Error{announced.topic + ": expected an object of the team's, got one that only the runtime writes"};
+
+  if (!announced.topic.starts_with(written_below_))
+    return Error{announced.topic + ": expected a topic below " + written_below_ + ", got another one"};
 
   const std::shared_ptr<memory::Channel> known = channels_.find(announced.topic);
   if (known && announced.schema.name.empty() && announced.message_encoding == known->info().message_encoding)

@@ -18,9 +18,10 @@ class Objects {
   /// Most channels that are created for objects unknown to this runtime. Channels are never removed.
   static constexpr int kMaxMade = 256;
 
-  /// `robot` is this robot, such as "14/2". `own` are objects that only the runtime writes, such as "runtime".
-  /// `channels` and `clock` outlive this.
-  Objects(std::string robot, std::set<std::string> own, memory::Channels& channels, const Clock& clock);
+  /// `robot` is this robot, such as "14/2". `own` are objects that only the runtime writes, such as "runtime". Processes
+  /// write only topics that begin with `written_below`; empty: any. `channels` and `clock` outlive this.
+  Objects(std::string robot, std::set<std::string> own, std::string written_below, memory::Channels& channels,
+          const Clock& clock);
 
   /// Returns the topic of an object: "ball" becomes "/14/2/ball" of this robot, and a name that starts with '/' is a
   /// topic already. Returns an Error if the result is no valid topic.
@@ -35,6 +36,7 @@ class Objects {
 
   const std::string robot_;
   const std::set<std::string> own_;
+  const std::string written_below_;
   memory::Channels& channels_;
   const Clock& clock_;
   int made_ = 0;

@@ -52,5 +52,25 @@ TEST_F(Import, LabelsHaveTheRulesOntoWhoseFieldTheyAreFitted) {
   EXPECT_EQ(info.about.find("assumed"), std::string::npos);
 }
 
+TEST_F(Import, ATableOfPositionsBecomesASessionWithItsDate) {
+  const logging::SessionInfo info =
+      imported("truth_csv", "time,ball_x,ball_y\n2026-03-14T12:00:00Z,1,2\n2026-03-14T12:00:01Z,3,4\n");
+  EXPECT_EQ(info.rules, "");
+  EXPECT_EQ(info.start_ns, 1'773'489'600'000'000'000u);
+  EXPECT_EQ(logging::read_session(folder / "truth_csv")->end_ns, 1'773'489'601'000'000'000u);
+}
+
+TEST_F(Import, AFolderOfItsOwnHasTheDateInItsName) {
+  ASSERT_TRUE(replace_file(folder / "a.csv", "time,ball_x,ball_y\n2026-03-14T12:00:00Z,1,2\n"));
+  const auto made = import_recording({.format = "auto", .file = folder / "a.csv", .out = folder.path(), .name = "a"});
+  ASSERT_TRUE(made) << made.error();
+  EXPECT_EQ(made->session.filename().string().substr(0, 10), "2026-03-14");
+  EXPECT_TRUE(logging::read_session(made->session));
+}
+
+TEST_F(Import, AFileWithoutADateStartsIn2009) {
+  EXPECT_EQ(imported("truth_csv", "t,ball_x,ball_y\n5,1,2\n").start_ns, kUndatedEpochNs);
+}
+
 }  // namespace
 }  // namespace robot::app

@@ -414,6 +414,27 @@ class Door(unittest.TestCase):
             self.assertGreater(int(output.split()[0]), 0, output)
             self.assertEqual(child.returncode, 0)
 
+    def test_a_process_that_is_no_robot_reports_the_truth(self):
+        self.start()
+        by_c = [os.path.join(PROGRAMS, "example_truth")]
+        by_python = [sys.executable, os.path.join(CLIENT, "examples", "truth.py")]
+        for program in (by_c, by_python):
+            reader = self.reader("/truth/world")
+            until(lambda: reader.read() is None and not reader.problem, "a runtime")
+            before = foresight.now_ns()
+            child = self.run_beside(*program, "1", environment={"PYTHONPATH": CLIENT})
+            output = child.communicate()[0]
+            self.assertTrue(re.match(r"^\d+ messages; lost: 0 \n$", output), output)
+            worlds = [message for message in reader if message.capture_ns >= before]
+            self.assertGreater(len(worlds), 5)
+            self.assertEqual(reader.object["topic"], "/truth/world")
+            self.assertEqual(reader.object["type"], "foresight.GroundTruth")
+            for message in worlds:
+                ball, *robots = [dict(foresight.fields(one)) for _, one in foresight.fields(message.bytes)]
+                self.assertAlmostEqual(math.hypot(foresight.as_float(ball[1]), foresight.as_float(ball[2])), 1, 5)
+                self.assertEqual([(robot[1], robot[2]) + tuple(foresight.as_float(robot[n]) for n in (3, 4, 5))
+                                  for robot in robots], [(14, 2, -2, 0.5, 0), (5, 3, 2, -0.5, 3)])
+
     def test_a_behaviour_lets_foresight_choose(self):
         self.start("--rules", "spl2025", "--team", "14", "--player", "2")
         pose = self.reader("pose")
