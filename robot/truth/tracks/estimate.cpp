@@ -20,15 +20,15 @@ MeasuredRows measured_rows(const Estimate& estimate, std::size_t sensor) {
   return estimate.covariance.topRows<2>() + estimate.covariance.middleRows<2>(row_of(sensor));
 }
 
-Eigen::Matrix2d measured_covariance(const MeasuredRows& rows, std::size_t sensor) {
-  return rows.leftCols<2>() + rows.middleCols<2>(row_of(sensor));
+Place place_from(const Estimate& estimate, const MeasuredRows& rows, std::size_t sensor) {
+  return {estimate.position() + estimate.mean.segment<2>(row_of(sensor)),
+          rows.leftCols<2>() + rows.middleCols<2>(row_of(sensor))};
 }
 
-Innovation innovation_of(const Estimate& estimate, const MeasuredRows& rows, const Measurement& measurement) {
-  const Eigen::Vector2d expected = estimate.position() + estimate.mean.segment<2>(row_of(measurement.sensor));
+Innovation innovation_of(const Place& expected, const Place& measured) {
   Innovation result;
-  result.difference = measurement.place.position - expected;
-  result.covariance = measured_covariance(rows, measurement.sensor) + measurement.place.covariance;
+  result.difference = measured.position - expected.position;
+  result.covariance = expected.covariance + measured.covariance;
   result.distance_squared = result.difference.dot(result.covariance.inverse() * result.difference);
   result.log_density =
       -0.5 * result.distance_squared - std::log(2 * std::numbers::pi) - 0.5 * std::log(result.covariance.determinant());
@@ -78,13 +78,17 @@ Estimate predicted(const Estimate& estimate, const Step& step) {
   return next;
 }
 
+Place expected_place(const Estimate& estimate, std::size_t sensor) {
+  return place_from(estimate, measured_rows(estimate, sensor), sensor);
+}
+
 Innovation innovation(const Estimate& estimate, const Measurement& measurement) {
-  return innovation_of(estimate, measured_rows(estimate, measurement.sensor), measurement);
+  return innovation_of(expected_place(estimate, measurement.sensor), measurement.place);
 }
 
 void correct(Estimate& estimate, const Measurement& measurement, double gate) {
   const MeasuredRows rows = measured_rows(estimate, measurement.sensor);
-  const Innovation found = innovation_of(estimate, rows, measurement);
+  const Innovation found = innovation_of(place_from(estimate, rows, measurement.sensor), measurement.place);
   const double inflation = std::max(1., found.distance_squared / gate);
   const Eigen::Matrix<double, Estimate::kSize, 2> gain = rows.transpose() * (inflation * found.covariance).inverse();
 

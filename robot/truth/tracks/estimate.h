@@ -41,6 +41,9 @@ struct Step {
   SharedErrors offset_noise = {};  // [m²]
 };
 
+/// The place where a sensor is expected to find the thing, with the covariance of that expectation.
+Place expected_place(const Estimate& estimate, std::size_t sensor);
+
 /// The difference of a measurement from an estimate.
 struct Innovation {
   Eigen::Vector2d difference;  // [m]

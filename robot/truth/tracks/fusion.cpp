@@ -31,11 +31,12 @@ std::optional<std::size_t> tagged_player(const SeenRobot& seen, OwnPoses& poses)
   return seen.team && seen.player ? poses.index_of(*seen.team, *seen.player) : std::nullopt;
 }
 
-/// Returns the cost of the place alone, or kImpossible.
-double place_cost(const RobotTrack& robot, const Measurement& measurement) {
-  const Innovation found = innovation(robot.estimate, measurement);
-  const Eigen::Matrix2d covariance = found.covariance + kDetectorError * kDetectorError * Eigen::Matrix2d::Identity();
-  const double distance = found.difference.dot(covariance.inverse() * found.difference);
+/// Returns the cost of a place alone, or kImpossible.
+double place_cost(const Place& expected, const Place& seen) {
+  const Eigen::Vector2d apart = seen.position - expected.position;
+  const Eigen::Matrix2d covariance =
+      expected.covariance + seen.covariance + kDetectorError * kDetectorError * Eigen::Matrix2d::Identity();
+  const double distance = apart.dot(covariance.inverse() * apart);
   if (distance > kGate) return kImpossible;
   return 0.5 * distance + 0.5 * std::log(covariance.determinant()) + std::log(2 * std::numbers::pi) - kNewCost;
 }
@@ -47,7 +48,8 @@ double identity_cost(const Scene& scene, const RobotTrack& robot, const SeenRobo
   if (const auto tag = tagged_player(seen, poses)) return *tag == *player ? -kTagGain : kImpossible;
   if (seconds_between(robot.sightings.newest_ns, scene.now_ns) <= kOccluded) return 0;
   const OwnPose* pose = poses.players()[*player].at(scene.now_ns);
-  return pose ? -evidence_of(*pose, seen.place.position, seen.place.covariance) : 0;
+  // a robot that comes back far from its own pose is likely another one; the opposite proves little
+  return pose ? std::max(0., -evidence_of(*pose, seen.place.position, seen.place.covariance)) : 0;
 }
 
 void see_tag(Scene& scene, RobotTrack& robot, const SeenRobot& seen, OwnPoses& poses) {
@@ -59,10 +61,23 @@ void see_tag(Scene& scene, RobotTrack& robot, const SeenRobot& seen, OwnPoses& p
   if (const auto player = tagged_player(seen, poses)) identify_by_tag(scene, *player, robot);
 }
 
+/// Compares a robot that comes back with all others that are hidden and may be there as well.
+void doubt_identity(Scene& scene, RobotTrack& robot, const Measurement& measurement) {
+  const double unseen = seconds_between(robot.sightings.newest_ns, scene.now_ns);
+  if (unseen <= kOccluded) return;
+  if (unseen > kDoubted) doubt(robot);
+  for (RobotTrack& other : scene.robots) {
+    const bool hidden = seconds_between(other.sightings.newest_ns, scene.now_ns) > kOccluded;
+    if (&other != &robot && hidden && other.sightings.track != 0 &&
+        place_cost(expected_place(other.estimate, measurement.sensor), measurement.place) < kImpossible)
+      confuse(scene, robot, other);
+  }
+}
+
 void see_again(Scene& scene, const std::vector<Sensor>& sensors, RobotTrack& robot, const SeenRobot& seen,
                std::size_t sensor, OwnPoses& poses) {
   const Measurement measurement{sensor, seen.place};
-  if (seconds_between(robot.sightings.newest_ns, scene.now_ns) > kDoubted) doubt(robot);
+  doubt_identity(scene, robot, measurement);
   correct(robot.estimate, measurement, kGate);
   robot.sightings.shared = robot_errors(sensors, robot.estimate.position());
   robot.sightings.see(measurement, robot.estimate.velocity(), scene.now_ns);
@@ -71,9 +86,14 @@ void see_again(Scene& scene, const std::vector<Sensor>& sensors, RobotTrack& rob
   see_tag(scene, robot, seen, poses);
 }
 
-bool beside_a_seen_robot(const Scene& scene, const Eigen::Vector2d& place) {
+/// Reports whether the image has shown the robot already.
+bool seen_in(const SensorImage& image, const RobotTrack& robot) {
+  return robot.sightings.seen_ns[image.sensor] == image.detections.capture_ns;
+}
+
+bool beside_a_seen_robot(const Scene& scene, const SensorImage& image, const Eigen::Vector2d& place) {
   return std::any_of(scene.robots.begin(), scene.robots.end(), [&](const RobotTrack& robot) {
-    return robot.sightings.newest_ns == scene.now_ns && (robot.estimate.position() - place).norm() < kOneRobot;
+    return seen_in(image, robot) && (robot.estimate.position() - place).norm() < kOneRobot;
   });
 }
 
@@ -94,9 +114,10 @@ void Fusion::fill_costs(const Scene& scene, const SensorImage& image, OwnPoses& 
   costs_.reset(candidates_.size(), seen.size() + candidates_.size());
   for (std::size_t row = 0; row < candidates_.size(); ++row) {
     const RobotTrack& robot = scene.robots[candidates_[row]];
+    const Place expected = expected_place(robot.estimate, image.sensor);
     for (std::size_t i = 0; i < seen.size(); ++i) {
       double& cost = costs_.at(row, i);
-      cost = taken_[i] ? kImpossible : place_cost(robot, {image.sensor, seen[i].place});
+      cost = taken_[i] ? kImpossible : place_cost(expected, seen[i].place);
       if (cost < kImpossible) cost += identity_cost(scene, robot, seen[i], poses);
     }
     // a column for each robot that is not seen
@@ -105,11 +126,22 @@ void Fusion::fill_costs(const Scene& scene, const SensorImage& image, OwnPoses& 
   }
 }
 
-void Fusion::match(Scene& scene, const SensorImage& image, OwnPoses& poses, bool confirmed) {
+Fusion::Rank Fusion::rank_of(const Scene& scene, const RobotTrack& robot) {
+  if (robot.sightings.track == 0) return Rank::unconfirmed;
+  return seconds_between(robot.sightings.newest_ns, scene.now_ns) > kOccluded ? Rank::hidden : Rank::in_view;
+}
+
+/// Takes the detections that are parts of robots that were seen.
+void Fusion::leave_out_seen(const Scene& scene, const SensorImage& image) {
+  for (std::size_t i = 0; i < taken_.size(); ++i)
+    if (beside_a_seen_robot(scene, image, image.detections.robots[i].place.position)) taken_[i] = 1;
+}
+
+void Fusion::match(Scene& scene, const SensorImage& image, OwnPoses& poses, Rank rank) {
   candidates_.clear();
   for (std::size_t i = 0; i < scene.robots.size(); ++i)
-    if ((scene.robots[i].sightings.track != 0) == confirmed && scene.robots[i].sightings.newest_ns != scene.now_ns)
-      candidates_.push_back(i);
+    if (rank_of(scene, scene.robots[i]) == rank && !seen_in(image, scene.robots[i])) candidates_.push_back(i);
+  leave_out_seen(scene, image);
   fill_costs(scene, image, poses);
 
   const std::vector<std::size_t>& columns = assignment_.solve(costs_);
@@ -128,7 +160,7 @@ void Fusion::match(Scene& scene, const SensorImage& image, OwnPoses& poses, bool
 void Fusion::add_robots(Scene& scene, const SensorImage& image, OwnPoses& poses) const {
   for (std::size_t i = 0; i < image.detections.robots.size() && scene.robots.size() < kMostRobots; ++i) {
     const SeenRobot& seen = image.detections.robots[i];
-    if (taken_[i] || beside_a_seen_robot(scene, seen.place.position)) continue;
+    if (taken_[i]) continue;
     const Measurement measurement{image.sensor, seen.place};
     RobotTrack robot{.sightings = Sightings::begun(++scene.serials, measurement, scene.now_ns), .estimate = {}};
     robot.sightings.shared = robot_errors(sensors_, seen.place.position);
@@ -151,8 +183,9 @@ void Fusion::advance(Scene& scene, const SensorImage& image, OwnPoses& poses) {
   forget_lost_robots(scene);
   move_robots(scene, dt);
   taken_.assign(image.detections.robots.size(), 0);
-  match(scene, image, poses, /*confirmed=*/true);
-  match(scene, image, poses, /*confirmed=*/false);
+  // robots in view come first: a hidden one must not take what belongs to them
+  for (const Rank rank : {Rank::in_view, Rank::hidden, Rank::unconfirmed}) match(scene, image, poses, rank);
+  leave_out_seen(scene, image);
   add_robots(scene, image, poses);
   forget_lost_robots(scene);
 

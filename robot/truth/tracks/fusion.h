@@ -19,15 +19,19 @@ class Fusion {
   void advance(Scene& scene, const SensorImage& image, OwnPoses& poses);
 
  private:
-  void match(Scene& scene, const SensorImage& image, OwnPoses& poses, bool confirmed);
+  enum class Rank { in_view, hidden, unconfirmed };
+  static Rank rank_of(const Scene& scene, const RobotTrack& robot);
+
+  void match(Scene& scene, const SensorImage& image, OwnPoses& poses, Rank rank);
   void fill_costs(const Scene& scene, const SensorImage& image, OwnPoses& poses);
+  void leave_out_seen(const Scene& scene, const SensorImage& image);
   void add_robots(Scene& scene, const SensorImage& image, OwnPoses& poses) const;
 
   std::vector<Sensor> sensors_;
   CostTable costs_;
   Assignment assignment_;
   std::vector<std::size_t> candidates_;  // indices of the robots to be matched
-  std::vector<char> taken_;              // by detection
+  std::vector<char> taken_;              // by detection: it is of a robot, or beside a robot that was seen
 };
 
 }  // namespace robot::truth

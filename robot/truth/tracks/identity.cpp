@@ -13,7 +13,7 @@ namespace {
 constexpr double kFieldArea = 54;        // [m²] where a robot may be that is nowhere here
 constexpr double kWrongPose = 0.05;      // part of own poses that are far off
 constexpr double kLeastDeviation = 0.1;  // [m] robots are too sure of themselves
-constexpr double kIndependent = 1;       // [s] after which the error of an own pose is another one
+constexpr double kIndependent = 2;       // [s] after which the error of an own pose is another one
 constexpr double kSeenRecently = 0.3;    // [s]
 
 constexpr double kBinding = 6;         // lead that binds a player
@@ -109,6 +109,15 @@ void identify_by_tag(Scene& scene, std::size_t player, RobotTrack& robot) {
 
 void doubt(RobotTrack& robot) {
   for (double& evidence : robot.evidence) evidence = std::min(evidence, kMostAfterOcclusion);
+}
+
+void confuse(Scene& scene, RobotTrack& one, RobotTrack& other) {
+  for (std::size_t player = 0; player < scene.players.size(); ++player) {
+    std::uint32_t& bound = scene.players[player].robot;
+    if (bound == one.sightings.serial || bound == other.sightings.serial) bound = 0;
+    const double more = std::max(one.evidence[player], other.evidence[player]);
+    one.evidence[player] = other.evidence[player] = std::min(more, kMostAfterOcclusion);
+  }
 }
 
 std::optional<std::size_t> player_of(const Scene& scene, const RobotTrack& robot) {

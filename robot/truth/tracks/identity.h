@@ -27,6 +27,10 @@ void identify_by_tag(Scene& scene, std::size_t player, RobotTrack& robot);
 /// Lowers the evidence of a robot that comes out of an occlusion: it may be another one.
 void doubt(RobotTrack& robot);
 
+/// Forgets which of two robots is which, because either may have come out of an occlusion at this place. Their players are
+/// released until new evidence tells them apart.
+void confuse(Scene& scene, RobotTrack& one, RobotTrack& other);
+
 /// Returns the index of the player that the robot is, or nothing.
 std::optional<std::size_t> player_of(const Scene& scene, const RobotTrack& robot);
 

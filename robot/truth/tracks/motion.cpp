@@ -7,7 +7,7 @@ namespace robot::truth {
 namespace {
 
 constexpr double kOffsetMemory = 10;   // [s] a robot walks 3 m in it, where the error of a pose acts differently
-constexpr double kBallNoise = 0.01;    // [m²/s³] bumps of the carpet, and friction that is wrong by 0.1 m/s²
+constexpr double kBallNoise = 0.004;   // [m²/s³] bumps of the carpet, and friction that is wrong by 0.1 m/s²
 constexpr double kSlowBall = 0.05;     // [m/s] slower balls are slowed down less, so that they do not roll back
 constexpr double kBallSubstep = 0.05;  // [s] < kSlowBall / kBallFriction
 

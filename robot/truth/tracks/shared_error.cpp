@@ -1,5 +1,6 @@
 #include "robot/truth/tracks/shared_error.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace robot::truth {
@@ -7,8 +8,7 @@ namespace {
 
 using Jacobian = Eigen::Matrix<double, 3, 7>;
 
-constexpr double kLeastFall = 0.02;   // of a ray per metre: flatter rays meet the plane nowhere useful
-constexpr double kUnknown = 100;      // [m²]
+constexpr double kLeastFall = 0.02;   // of a ray per metre: flatter rays count as this flat
 constexpr double kRobotHeight = 0.3;  // [m] of the points from which a robot's place is computed
 constexpr double kBallHeight = 0.05;  // [m] of the plane in which a ball is placed
 
@@ -39,8 +39,8 @@ Eigen::Matrix2d shared_covariance(const SensorPose& pose, const Eigen::Vector3d&
 
   // the place slides along the ray until it is at its known height again
   if (ranging == Ranging::plane) {
-    if (std::abs(ray.z()) < kLeastFall * ray.norm()) return kUnknown * Eigen::Matrix2d::Identity();
-    jacobian -= ray / ray.z() * jacobian.row(2).eval();
+    const double fall = std::copysign(std::max(std::abs(ray.z()), kLeastFall * ray.norm()), ray.z());
+    jacobian -= ray / fall * jacobian.row(2).eval();
   }
   const Eigen::Matrix<double, 2, 7> horizontal = jacobian.topRows<2>();
   return horizontal * pose.covariance * horizontal.transpose();

@@ -10,7 +10,6 @@ namespace robot::truth {
 
 /// Returns the covariance [m²] of the horizontal error that the error of the sensor's pose causes at a point [m, field].
 /// All measurements of the sensor near this point share the error: it does not average away.
-/// A plane that the ray meets nowhere near gives no place: its covariance is as large as a field.
 Eigen::Matrix2d shared_covariance(const SensorPose& pose, const Eigen::Vector3d& point, Ranging ranging);
 
 /// The shared covariance of each sensor at one place [m²]; zero for sensors that do not exist.
