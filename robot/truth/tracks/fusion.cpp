@@ -61,16 +61,19 @@ void see_tag(Scene& scene, RobotTrack& robot, const SeenRobot& seen, OwnPoses& p
   if (const auto player = tagged_player(seen, poses)) identify_by_tag(scene, *player, robot);
 }
 
-/// Compares a robot that comes back with all others that are hidden and may be there as well.
+bool hidden(const Scene& scene, const RobotTrack& robot) {
+  return robot.sightings.track != 0 && seconds_between(robot.sightings.newest_ns, scene.now_ns) > kOccluded;
+}
+
+/// Compares a robot that comes back with all others that are hidden.
 void doubt_identity(Scene& scene, RobotTrack& robot, const Measurement& measurement) {
-  const double unseen = seconds_between(robot.sightings.newest_ns, scene.now_ns);
-  if (unseen <= kOccluded) return;
-  if (unseen > kDoubted) doubt(robot);
+  if (!hidden(scene, robot)) return;
+  const bool long_unseen = seconds_between(robot.sightings.newest_ns, scene.now_ns) > kDoubted;
   for (RobotTrack& other : scene.robots) {
-    const bool hidden = seconds_between(other.sightings.newest_ns, scene.now_ns) > kOccluded;
-    if (&other != &robot && hidden && other.sightings.track != 0 &&
-        place_cost(expected_place(other.estimate, measurement.sensor), measurement.place) < kImpossible)
-      confuse(scene, robot, other);
+    if (&other == &robot || !hidden(scene, other)) continue;
+    const Place expected = expected_place(other.estimate, measurement.sensor);
+    if (place_cost(expected, measurement.place) < kImpossible) confuse(scene, robot, other);
+    if (long_unseen) doubt(scene, robot);
   }
 }
 
@@ -128,7 +131,7 @@ void Fusion::fill_costs(const Scene& scene, const SensorImage& image, OwnPoses& 
 
 Fusion::Rank Fusion::rank_of(const Scene& scene, const RobotTrack& robot) {
   if (robot.sightings.track == 0) return Rank::unconfirmed;
-  return seconds_between(robot.sightings.newest_ns, scene.now_ns) > kOccluded ? Rank::hidden : Rank::in_view;
+  return hidden(scene, robot) ? Rank::hidden : Rank::in_view;
 }
 
 /// Takes the detections that are parts of robots that were seen.

@@ -19,7 +19,7 @@ constexpr double kSeenRecently = 0.3;    // [s]
 constexpr double kBinding = 6;         // lead that binds a player
 constexpr double kMostEvidence = 100;  // after that, own poses may be wrong for 13 s
 constexpr double kLeastEvidence = -8;  // after that, 4 s of right own poses bind
-constexpr double kMostAfterOcclusion = 10;
+constexpr double kMostAfterOcclusion = 3;
 
 /// Lets the pose count for all robots in view.
 void weigh(Scene& scene, std::size_t player, const OwnPose& pose, double weight) {
@@ -58,6 +58,11 @@ void bind_or_release(Scene& scene, std::size_t player) {
   if (!robot || robot->evidence[player] <= 0) bound = 0;
   for (const RobotTrack& other : scene.robots)
     if (lead_of(scene, player, other) >= kBinding) bound = other.sightings.serial;
+}
+
+void release(Scene& scene, const RobotTrack& robot) {
+  for (KnownPlayer& player : scene.players)
+    if (player.robot == robot.sightings.serial) player.robot = 0;
 }
 
 /// Releases the player with less evidence where two have the same robot.
@@ -107,17 +112,16 @@ void identify_by_tag(Scene& scene, std::size_t player, RobotTrack& robot) {
   scene.players[player].robot = robot.sightings.serial;
 }
 
-void doubt(RobotTrack& robot) {
+void doubt(Scene& scene, RobotTrack& robot) {
+  release(scene, robot);
   for (double& evidence : robot.evidence) evidence = std::min(evidence, kMostAfterOcclusion);
 }
 
 void confuse(Scene& scene, RobotTrack& one, RobotTrack& other) {
-  for (std::size_t player = 0; player < scene.players.size(); ++player) {
-    std::uint32_t& bound = scene.players[player].robot;
-    if (bound == one.sightings.serial || bound == other.sightings.serial) bound = 0;
-    const double more = std::max(one.evidence[player], other.evidence[player]);
-    one.evidence[player] = other.evidence[player] = std::min(more, kMostAfterOcclusion);
-  }
+  doubt(scene, one);
+  doubt(scene, other);
+  for (std::size_t player = 0; player < kMostPlayers; ++player)
+    one.evidence[player] = other.evidence[player] = std::max(one.evidence[player], other.evidence[player]);
 }
 
 std::optional<std::size_t> player_of(const Scene& scene, const RobotTrack& robot) {

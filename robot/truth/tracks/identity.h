@@ -24,11 +24,12 @@ void identify(Scene& scene, const OwnPoses& poses, double dt);
 /// Binds the player at once, because its tag was read on the robot.
 void identify_by_tag(Scene& scene, std::size_t player, RobotTrack& robot);
 
-/// Lowers the evidence of a robot that comes out of an occlusion: it may be another one.
-void doubt(RobotTrack& robot);
+/// Releases a robot's player, and keeps little of its evidence: it came out of an occlusion while others are hidden, so it
+/// may be another one. Own poses at its place bind it again after a second or two.
+void doubt(Scene& scene, RobotTrack& robot);
 
-/// Forgets which of two robots is which, because either may have come out of an occlusion at this place. Their players are
-/// released until new evidence tells them apart.
+/// Forgets which of two robots is which, because either may have come out of an occlusion at this place. Releases their
+/// players until new evidence tells them apart.
 void confuse(Scene& scene, RobotTrack& one, RobotTrack& other);
 
 /// Returns the index of the player that the robot is, or nothing.
