@@ -1,0 +1,51 @@
+#include "robot/truth/tracks/usable.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace robot::truth {
+namespace {
+
+constexpr double kFarthest = 100;         // [m]
+constexpr double kLeastVariance = 1e-10;  // [m²]
+constexpr double kMostVariance = 100;     // [m²]
+
+bool is_covariance(const Eigen::Matrix2d& covariance) {
+  return covariance.allFinite() && covariance.diagonal().minCoeff() >= kLeastVariance &&
+         covariance.diagonal().maxCoeff() <= kMostVariance && covariance(0, 1) == covariance(1, 0) &&
+         covariance.determinant() > 0.001 * covariance(0, 0) * covariance(1, 1) * 1e-3;
+}
+
+bool is_usable(const Place& place) {
+  return place.position.allFinite() && place.position.cwiseAbs().maxCoeff() <= kFarthest &&
+         is_covariance(place.covariance);
+}
+
+SeenRobot with_finite_heading(SeenRobot robot) {
+  const bool finite =
+      robot.heading && std::isfinite(*robot.heading) && std::isfinite(robot.heading_deviation.value_or(0));
+  if (!finite) robot.heading.reset(), robot.heading_deviation.reset();
+  return robot;
+}
+
+}  // namespace
+
+Detections usable(const Detections& detections, std::uint64_t& refused) {
+  Detections result{.capture_ns = detections.capture_ns, .detected_ns = detections.detected_ns};
+  for (const SeenRobot& robot : detections.robots)
+    if (is_usable(robot.place)) result.robots.push_back(with_finite_heading(robot));
+  std::sort(result.robots.begin(), result.robots.end(), [](const SeenRobot& a, const SeenRobot& b) {
+    const auto key = [](const SeenRobot& robot) {
+      return std::tuple(robot.place.position.x(), robot.place.position.y(), robot.place.covariance(0, 0));
+    };
+    return key(a) < key(b);
+  });
+  if (result.robots.size() > kMostSeenRobots) result.robots.resize(kMostSeenRobots);
+  if (detections.ball && is_usable(detections.ball->place)) result.ball = detections.ball;
+  refused += detections.robots.size() - result.robots.size() + (detections.ball && !result.ball);
+  return result;
+}
+
+}  // namespace robot::truth
