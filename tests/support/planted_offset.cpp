@@ -15,9 +15,7 @@ class Chance {
   explicit Chance(std::uint32_t seed) : random_(seed) {}
   double uniform() { return (static_cast<double>(random_()) + 0.5) / 4294967296.0; }
   /// Box and Muller.
-  double normal() {
-    return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform());
-  }
+  double normal() { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); }
 
  private:
   std::mt19937 random_;

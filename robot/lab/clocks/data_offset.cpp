@@ -5,8 +5,8 @@
 namespace robot::lab {
 namespace {
 
-constexpr double kPart = 120;             // [s]
-constexpr double kPartDeviation = 0.06;   // [s] parts with a larger one do not count
+constexpr double kPart = 120;            // [s]
+constexpr double kPartDeviation = 0.06;  // [s] parts with a larger one do not count
 constexpr std::size_t kLeastParts = 3;
 
 double first_of(const std::vector<SharedQuantity>& quantities) {
@@ -44,7 +44,7 @@ std::vector<PartOffset> parts_of(const std::vector<SharedQuantity>& quantities, 
     // a drift of 100 ppm moves the offset by 0.36 s in an hour
     const auto near = find_coarse_lag(part, {.middle = coarse, .reach = 1});
     if (!near) continue;
-    if (const auto lag = refined_lag(part, *near, kPartDeviation))
+    if (const auto lag = refined_lag(part, near->seconds, kPartDeviation))
       parts.push_back({.middle = first + (i + 0.5) * length, .lag = *lag});
   }
   return parts;
@@ -84,10 +84,10 @@ Result<DataOffset> find_offset(const std::vector<SharedQuantity>& quantities, co
   if (!coarse) return coarse.failure();
   const double first = first_of(quantities), last = last_of(quantities);
   if (last - first >= static_cast<double>(kLeastParts) * kPart) {
-    const auto parts = parts_of(quantities, *coarse);
+    const auto parts = parts_of(quantities, coarse->seconds);
     if (parts.size() >= kLeastParts) return line_through(parts);
   }
-  const auto lag = refined_lag(quantities, *coarse);
+  const auto lag = refined_lag(quantities, coarse->seconds);
   if (!lag) return lag.failure();
   return DataOffset{.offset = lag->seconds, .deviation = lag->deviation, .middle = (first + last) / 2};
 }

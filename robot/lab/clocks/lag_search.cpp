@@ -10,15 +10,15 @@
 namespace robot::lab {
 namespace {
 
-constexpr double kCoarseStep = 0.1;           // [s] a kick lasts longer
-constexpr double kFineStep = 0.02;            // [s]
-constexpr double kReach = 0.3;                // [s] of the fine search, and of "the same lag"
-constexpr double kBlock = 2;                  // [s] of the bootstrap; errors of beliefs last shorter
-constexpr std::size_t kCellsInBlock = 4;      // of the fine search
-constexpr double kMostBlocks = 120;           // of the coarse search
-constexpr double kMostValues = 3000;          // likewise, of each quantity
-constexpr std::size_t kLeastValues = 150;     // at 10 a second: 15 s
-constexpr double kCertain = 0.95;             // share of the bootstrap samples that agree
+constexpr double kCoarseStep = 0.1;        // [s] a kick lasts longer
+constexpr double kFineStep = 0.02;         // [s]
+constexpr double kReach = 0.3;             // [s] of the fine search, and of "the same lag"
+constexpr double kBlock = 2;               // [s] of the bootstrap; errors of beliefs last shorter
+constexpr std::size_t kCellsInBlock = 4;   // of the fine search
+constexpr double kMostBlocks = 120;        // of the coarse search
+constexpr double kMostValues = 3000;       // likewise, of each quantity
+constexpr std::size_t kLeastValues = 150;  // at 10 a second: 15 s
+constexpr double kCertain = 0.95;          // share of the bootstrap samples that agree
 
 /// A recording has few kicks, and these carry the information: the bootstrap finds too small a deviation. Measured by
 /// `bench_truth_offset`: without this factor its 95 % interval covers 91 %.
@@ -79,7 +79,7 @@ double spread_of(const std::vector<double>& lags) {
 
 }  // namespace
 
-Result<double> find_coarse_lag(const std::vector<SharedQuantity>& quantities, const LagRange& range) {
+Result<CoarseLag> find_coarse_lag(const std::vector<SharedQuantity>& quantities, const LagRange& range) {
   constexpr int kSamples = 40;
   const Cells cells = cells_of(quantities, kBlock, kMostBlocks);
   const double length = cells.length * static_cast<double>(cells.count);
@@ -97,7 +97,7 @@ Result<double> find_coarse_lag(const std::vector<SharedQuantity>& quantities, co
   const auto agree = std::ranges::count_if(bootstrap(profile, 1, kSamples),
                                            [&](double lag) { return std::abs(lag - *best) < kReach; });
   if (static_cast<double>(agree) < kCertain * kSamples) return not_certain();
-  return *best;
+  return CoarseLag{.seconds = *best, .gain = *std::ranges::max_element(gains)};
 }
 
 Result<Lag> refined_lag(const std::vector<SharedQuantity>& quantities, double coarse, double largest) {

@@ -22,12 +22,18 @@ struct Lag {
 /// A lag with a larger standard deviation is refused [s]: a ball of 1.5 m/s rolls 3 cm in that time.
 inline constexpr double kLargestDeviation = 0.02;
 
-/// Finds the lag at which the truth explains the robot's values best. Its deviation is that of a bootstrap over blocks of
-/// 2 s. Returns the best guess of a search in coarse steps, or an Error if too few values have a truth, or if other lags
-/// fit as well. They do while all things move at a constant speed.
-Result<double> find_coarse_lag(const std::vector<SharedQuantity>& quantities, const LagRange& range);
+/// A lag that is known to a tenth of a second or two.
+struct CoarseLag {
+  double seconds = 0;
+  double gain = 0;  // log likelihood by which the truth explains the robot's values better than one constant value does
+};
 
-/// Refines a lag that is known to a tenth of a second or two. Returns an Error if its deviation exceeds `largest` [s].
+/// Finds the lag at which the truth explains the robot's values best, in coarse steps. Returns an Error if too few values
+/// have a truth, or if other lags fit as well, as they do while all things move at a constant speed.
+Result<CoarseLag> find_coarse_lag(const std::vector<SharedQuantity>& quantities, const LagRange& range);
+
+/// Refines a coarse lag [s]. Its deviation is that of a bootstrap over blocks of 2 s. Returns an Error if that exceeds
+/// `largest` [s].
 Result<Lag> refined_lag(const std::vector<SharedQuantity>& quantities, double coarse,
                         double largest = kLargestDeviation);
 

@@ -13,9 +13,7 @@ double weight_of(double residual) { return kSquare / (kSquare + residual * resid
 
 }  // namespace
 
-double loss(double residual) {
-  return kSquare / 2 * std::log1p(residual * residual / kSquare);
-}
+double loss(double residual) { return kSquare / 2 * std::log1p(residual * residual / kSquare); }
 
 void LossSums::add(const LinePoint& point, const Line& line) {
   const double residual = line.residual(point), weight = weight_of(residual);
