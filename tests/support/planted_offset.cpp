@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <random>
 
@@ -96,6 +97,13 @@ PlantedDistances planted_distances(const PlantedPlan& plan) {
     }
   }
   return distances;
+}
+
+robot::lab::SharedQuantity shared_distance(const PlantedDistances& distances) {
+  constexpr double kGrowsFrom = 0.5;  // [m]
+  return {.truth = std::make_shared<robot::lab::SmoothCurve>(robot::lab::tidied(distances.truth)),
+          .robot = robot::lab::tidied(distances.seen),
+          .grows_from = kGrowsFrom};
 }
 
 }  // namespace tests

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "robot/lab/clocks/series.h"
+#include "robot/lab/clocks/shared_quantity.h"
 
 namespace tests {
 
@@ -24,5 +25,8 @@ struct PlantedDistances {
 };
 
 PlantedDistances planted_distances(const PlantedPlan& plan);
+
+/// Returns the distances as a quantity of both sides.
+robot::lab::SharedQuantity shared_distance(const PlantedDistances& distances);
 
 }  // namespace tests

@@ -53,10 +53,7 @@ std::vector<PartOffset> parts_of(const std::vector<SharedQuantity>& quantities, 
 }  // namespace
 
 DataOffset line_through(const std::vector<PartOffset>& parts) {
-  constexpr double kLeastDeviation = 1e-3;  // [s] clocks and cameras are not better
-  const auto weight_of = [](const PartOffset& part) {
-    return 1 / (part.lag.deviation * part.lag.deviation + kLeastDeviation * kLeastDeviation);
-  };
+  const auto weight_of = [](const PartOffset& part) { return 1 / (part.lag.deviation * part.lag.deviation); };
   // about the weighted middle, so that offset and drift are independent
   double weights = 0, times = 0, lags = 0;
   for (const PartOffset& part : parts)

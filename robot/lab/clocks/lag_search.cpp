@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <string>
 
@@ -23,6 +24,8 @@ constexpr double kCertain = 0.95;          // share of the bootstrap samples tha
 /// A recording has few kicks, and these carry the information: the bootstrap finds too small a deviation. Measured by
 /// `bench_truth_offset`: without this factor its 95 % interval covers 91 %.
 constexpr double kFewKicks = 1.2;
+
+constexpr double kBetweenLags = 0.001;  // [s] error of the parabola between the lags of the fine search
 
 Error not_certain() {
   return {"the ball was not kicked or moved fast enough; kick it a few times or lift it three times at the start"};
@@ -113,7 +116,7 @@ Result<Lag> refined_lag(const std::vector<SharedQuantity>& quantities, double co
     if (round == 0) continue;
     const auto lags = bootstrap(profile, kCellsInBlock, kSamples);
     if (static_cast<double>(lags.size()) < kCertain * kSamples) return not_certain();
-    const Lag lag{.seconds = *best, .deviation = kFewKicks * spread_of(lags)};
+    const Lag lag{.seconds = *best, .deviation = std::hypot(kFewKicks * spread_of(lags), kBetweenLags)};
     if (lag.deviation > largest) return not_certain();
     return lag;
   }

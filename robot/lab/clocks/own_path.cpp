@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace robot::lab {
 namespace {
@@ -36,22 +37,33 @@ Path continued(Path path, const TruthRecord& truth, const FieldPoses& poses) {
   return path;
 }
 
-Result<OwnPath> by_pose(const TruthRecord& truth, const RobotRecord& robot, const LagRange& range) {
-  std::optional<OwnPath> best;
-  double next_error = INFINITY;
-  for (const TrueRobotPath& candidate : truth.robots) {
-    FieldPoses poses = fit_poses(robot.poses, candidate.path, range);
-    if (poses.empty()) continue;
-    if (best && poses.error >= best->poses.error) {
-      next_error = std::min(next_error, poses.error);
-      continue;
-    }
-    if (best) next_error = best->poses.error;
-    best = OwnPath{.name = candidate.name, .by = "its pose", .path = candidate.path, .poses = std::move(poses)};
+/// The poses, turned for one robot of the truth.
+struct Candidate {
+  const TrueRobotPath* robot;
+  FieldPoses poses;
+
+  /// Reports whether both were there at the same time. If not, they may be one robot that got another name.
+  bool is_beside(const Candidate& other) const {
+    const Path &ours = robot->path, &theirs = other.robot->path;
+    return ours.front().at < theirs.back().at && theirs.front().at < ours.back().at;
   }
-  if (!best || best->poses.error > kNear) return Error{"its poses fit no robot of the truth"};
-  if (next_error < best->poses.error + kClearly) return Error{"its poses fit several robots of the truth"};
-  return std::move(*best);
+};
+
+Result<OwnPath> by_pose(const TruthRecord& truth, const RobotRecord& robot, const LagRange& range) {
+  std::vector<Candidate> candidates;
+  for (const TrueRobotPath& candidate : truth.robots)
+    if (FieldPoses poses = fit_poses(robot.poses, candidate.path, range); !poses.empty())
+      candidates.push_back({.robot = &candidate, .poses = std::move(poses)});
+  const auto error_of = [](const Candidate& candidate) { return candidate.poses.error; };
+  const auto best = std::ranges::min_element(candidates, {}, error_of);
+  if (best == candidates.end() || error_of(*best) > kNear) return Error{"its poses fit no robot of the truth"};
+  for (const Candidate& other : candidates)
+    if (other.robot != best->robot && other.is_beside(*best) && error_of(other) < error_of(*best) + kClearly)
+      return Error{"its poses fit several robots of the truth"};
+  return OwnPath{.name = best->robot->name,
+                 .by = "its pose",
+                 .path = continued(best->robot->path, truth, best->poses),
+                 .poses = std::move(best->poses)};
 }
 
 Result<OwnPath> by_fit(const TruthRecord& truth, const RobotRecord& robot, const LagRange& range) {
@@ -89,10 +101,7 @@ Result<OwnPath> own_path(const TruthRecord& truth, const RobotRecord& robot, con
   if (truth.robots.size() == 1)
     return with_poses({.name = truth.robots[0].name, .by = "the only robot", .path = truth.robots[0].path, .poses = {}},
                       robot, range);
-  if (auto posed = by_pose(truth, robot, range)) {
-    posed->path = continued(std::move(posed->path), truth, posed->poses);
-    return posed;
-  }
+  if (auto posed = by_pose(truth, robot, range)) return posed;
   auto fitting = by_fit(truth, robot, range);
   if (!fitting) return fitting.failure();
   return with_poses(std::move(*fitting), robot, range);

@@ -34,7 +34,7 @@ class PoseFit {
       const auto place = place_at(path, pose.at - lag);
       if (!place) continue;
       const PoseBelief other = turned(pose);
-      Stretch& stretch = stretch_of(pose.at);
+      Stretch& stretch = stretches_[number_of(pose.at)];
       stretch.straight += std::min(kFar, std::hypot(place->x - pose.x, place->y - pose.y));
       stretch.turned += std::min(kFar, std::hypot(place->x - other.x, place->y - other.y));
       ++places_;
@@ -50,10 +50,11 @@ class PoseFit {
     return sum / static_cast<double>(places_);
   }
 
-  /// Returns the pose in the frame of the path.
-  PoseBelief in_field(const PoseBelief& pose) {
-    const Stretch& stretch = stretch_of(pose.at);
-    return stretch.turned < stretch.straight ? turned(pose) : pose;
+  /// Returns the pose in the frame of the path. Where the path has no place, the stretch before decides. There is a place.
+  PoseBelief in_field(const PoseBelief& pose) const {
+    auto stretch = stretches_.upper_bound(number_of(pose.at));
+    if (stretch != stretches_.begin()) --stretch;
+    return stretch->second.turned < stretch->second.straight ? turned(pose) : pose;
   }
 
  private:
@@ -61,9 +62,9 @@ class PoseFit {
     double straight = 0, turned = 0;  // [m] sums of distances
   };
 
-  Stretch& stretch_of(double at) { return stretches_[static_cast<std::int64_t>(std::floor(at / kStretch))]; }
+  static std::int64_t number_of(double at) { return static_cast<std::int64_t>(std::floor(at / kStretch)); }
 
-  std::map<std::int64_t, Stretch> stretches_;
+  std::map<std::int64_t, Stretch> stretches_;  // by number: those with a place
   std::size_t places_ = 0;
 };
 
@@ -89,7 +90,7 @@ FieldPoses fit_poses(const std::vector<PoseBelief>& poses, const Path& path, con
     most = std::max(most, fits.back().places());
   }
   // a few poses of a robot that stands fit at many lags
-  PoseFit* chosen = nullptr;
+  const PoseFit* chosen = nullptr;
   for (std::size_t i = 0; i < lags.count; ++i) {
     if (fits[i].places() < std::max(kLeastPlaces, most / 2) || fits[i].error() >= best.error) continue;
     best.error = fits[i].error(), best.lag = lags.at(i);

@@ -51,13 +51,10 @@ struct Compared {
     const Result<TruthOffset> ours = offset_of(0), theirs = offset_of(session);
     for (const Result<TruthOffset>* offset : {&ours, &theirs})
       if (!*offset) return no_agreement(owners, "no clock samples of one machine are in both, and " + offset->error());
-    const double deviation = std::hypot(ours->clock.deviation, theirs->clock.deviation);
-    const std::string both =
-        ours->by.empty() || theirs->by.empty() ? ours->by + theirs->by : "the ground truth of both";
-    return agreement_by(owners,
-                        {.offset_ns = ns_of(theirs->clock.offset - ours->clock.offset),
-                         .error_ns = static_cast<std::uint64_t>(ns_of(kTwoSided * deviation))},
-                        both + drift_of(theirs->clock), most_ns);
+    const std::string by = ours->by.empty() || theirs->by.empty() ? ours->by + theirs->by : "the ground truth of both";
+    const DataOffset between{.offset = theirs->clock.offset - ours->clock.offset,
+                             .deviation = std::hypot(ours->clock.deviation, theirs->clock.deviation)};
+    return agreement_by(owners, to_clock_offset(between), by, most_ns);
   }
 };
 

@@ -12,25 +12,12 @@ namespace {
 
 constexpr double kGestureReach = 1;  // [s] around the lag of a gesture
 
-/// Returns one coordinate of the robot's place, as truth and robot have it.
-SharedQuantity coordinate(const OwnPath& own, double PlaceAt::*of_truth, double PoseBelief::*of_robot) {
-  Series believed;
-  for (const PoseBelief& pose : own.poses.poses) believed.push_back({.at = pose.at, .value = pose.*of_robot});
-  return {.truth = std::make_shared<SmoothCurve>(curve_of(own.path, of_truth)), .robot = tidied(std::move(believed))};
-}
-
 Result<TruthOffset> offset_by_motion(const TruthRecord& truth, const RobotRecord& robot, const LagRange& range) {
   const auto own = own_path(truth, robot, range);
   if (!own) return own.failure();
-  std::vector<SharedQuantity> quantities{ball_distance(truth, own->path, robot)};
-  if (!own->poses.empty()) {
-    quantities.push_back(coordinate(*own, &PlaceAt::x, &PoseBelief::x));
-    quantities.push_back(coordinate(*own, &PlaceAt::y, &PoseBelief::y));
-  }
-  const auto clock = find_offset(quantities, range);
+  const auto clock = find_offset({ball_distance(truth, own->path, robot)}, range);
   if (!clock) return clock.failure();
-  const std::string seen = own->poses.empty() ? "the ball" : "the ball and its pose";
-  return TruthOffset{.clock = *clock, .by = seen + ", as " + own->name + " of the truth (by " + own->by + ")"};
+  return TruthOffset{.clock = *clock, .by = "the ball, as " + own->name + " of the truth (by " + own->by + ")"};
 }
 
 }  // namespace
