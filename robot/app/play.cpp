@@ -22,7 +22,7 @@
 #include "robot/app/whole_answers.h"
 #include "robot/body/replay/replay.h"
 #include "robot/core/report.h"
-#include "robot/lab/clocks/clock_agreement.h"
+#include "robot/lab/clocks/session_times.h"
 #include "robot/lab/mapping/mapping.h"
 #include "robot/lab/whole/whole_recording.h"
 
@@ -35,15 +35,15 @@ Result<std::vector<std::int64_t>> shifts_between(const PlayOptions& options) {
   const auto most_ns = clock_offset_ns(options.max_clock_offset);
   if (!most_ns) return most_ns.failure();
   if (options.sessions.size() < 2) return shifts_ns;
-  std::vector<lab::RecordedClock> clocks;
+  std::vector<logging::Session> sessions;
   for (const std::filesystem::path& path : options.sessions) {
-    const auto session = logging::open_session(path);
+    auto session = logging::open_session(path);
     if (!session) return session.failure();
-    clocks.push_back(lab::read_clock(*session));
+    sessions.push_back(std::move(*session));
   }
-  const auto agreements = lab::agree(clocks, *most_ns);
-  if (!agreements) return agreements.failure("play");
-  for (const lab::Agreement& agreement : *agreements) {
+  const auto times = lab::session_times(sessions, *most_ns);
+  if (!times) return times.failure("play");
+  for (const lab::Agreement& agreement : times->agreements) {
     shifts_ns.push_back(agreement.shift_ns);
     if (!agreement.sentence.empty()) std::printf("%s\n", agreement.sentence.c_str());
   }

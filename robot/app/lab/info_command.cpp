@@ -1,5 +1,9 @@
-// foresight-lab info: the contents of sessions, and how well the forecasts in them came true.
+// foresight-lab info: the contents of sessions, how well the forecasts in them came true, and how far from the ground truth
+// the beliefs were.
 #include <cstdio>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "robot/app/clock_option.h"
 #include "robot/app/forecast_report.h"
@@ -7,6 +11,7 @@
 #include "robot/core/json_library.h"
 #include "robot/foresight/scorer.h"
 #include "robot/lab/clocks/session_report.h"
+#include "robot/lab/clocks/truth_report.h"
 
 namespace robot::app {
 namespace {
@@ -23,28 +28,39 @@ class InfoCommand final : public Command {
   }
 
   int run() override {
-    std::vector<lab::RecordedClock> clocks;
-    for (const std::string& session : sessions_) {
-      const auto report = lab::inspect(session);
-      if (!report) return fail(report.error());
-      clocks.push_back(report->clock);
-      print(*report);
-    }
     const auto most_ns = clock_offset_ns(max_clock_offset_);
     if (!most_ns) return fail(most_ns.error());
-    const auto agreements = lab::agree(clocks, *most_ns);
-    if (!agreements) return fail(agreements.error());
-    for (const lab::Agreement& agreement : *agreements)
+    std::vector<lab::SessionReport> reports;
+    std::vector<logging::Session> sessions;
+    for (const std::string& session : sessions_) {
+      auto report = lab::inspect(session);
+      if (!report) return fail(report.error());
+      sessions.push_back(report->session);
+      reports.push_back(std::move(*report));
+    }
+    const auto times = lab::session_times(sessions, *most_ns);
+    std::map<std::size_t, lab::TruthReport> beside_truth;  // by the index of the session
+    if (times)
+      for (const lab::JudgedRobot& robot : times->robots)
+        beside_truth.emplace(robot.session, lab::truth_report(times->truth, robot));
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      const auto beside = beside_truth.find(i);
+      print(reports[i], beside == beside_truth.end() ? nullptr : &beside->second);
+    }
+    if (!times) return fail(times.error());
+    for (const lab::Agreement& agreement : times->agreements)
       if (!agreement.sentence.empty() && !json_) std::printf("%s\n", agreement.sentence.c_str());
     return kDone;
   }
 
  private:
-  void print(const lab::SessionReport& report) const {
+  /// Prints the report of a session. `truth`: its beliefs beside ground truth; null without one.
+  void print(const lab::SessionReport& report, const lab::TruthReport* truth) const {
     const auto scores = score_forecasts(report.session);
     if (json_) {
       nlohmann::json all = to_json(report);
       for (const auto& [robot, score] : scores) all["forecasts"][robot] = foreseeing::to_json(score);
+      if (truth) all["truth"] = to_json(*truth);
       std::printf("%s\n", all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
       return;
     }
@@ -53,6 +69,7 @@ class InfoCommand final : public Command {
       const std::string text = foreseeing::to_text(score);
       if (!text.empty()) std::printf("forecasts of %s:\n%s\n", robot.c_str(), text.c_str());
     }
+    if (truth) std::printf("%s\n", to_text(*truth).c_str());
   }
 
   std::vector<std::string> sessions_;

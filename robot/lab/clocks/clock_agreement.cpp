@@ -12,9 +12,6 @@
 namespace robot::lab {
 namespace {
 
-/// Greatest useful error [ns] of an offset. A ball rolls half a metre in that time.
-constexpr std::uint64_t kUselessNs = 250 * kMillisecond;
-
 constexpr const char* kLab = "lab/1";
 
 /// Returns "10.0.14.7" for "10.0.14.7:51234", because every connection has another port.
@@ -105,25 +102,35 @@ std::optional<ClockComparison> compare(const RecordedClock& reference, const Rec
   return best;
 }
 
+Agreement no_agreement(const ClockOwners& owners, const std::string& reason) {
+  return {.sentence = sentence_of({"the clocks of ", owners.other, " and ", owners.reference,
+                                   " cannot be compared: ", reason, "; their times stay unchanged"}),
+          .known = false};
+}
+
+Result<Agreement> agreement_by(const ClockOwners& owners, const ClockOffset& offset, const std::string& by,
+                               std::uint64_t most_ns) {
+  const auto& [reference, other] = owners;
+  const std::string told = to_text(offset), source = by.empty() ? "" : ", by " + by;
+  const auto shift_ns = correction(offset, most_ns, other + "'s");
+  if (!shift_ns) return shift_ns.failure();
+  if (*shift_ns == 0)
+    return Agreement{.sentence = sentence_of(
+                         {"the clocks of ", other, " and ", reference, " agree: ", other, "'s is ", told, source})};
+  return Agreement{.shift_ns = *shift_ns,
+                   .sentence = sentence_of(
+                       {other, "'s clock is ", told, " of ", reference, "'s", source, ": its times are shifted"})};
+}
+
 namespace {
 
 Result<Agreement> agree_with(const RecordedClock& reference, const RecordedClock& clock, std::uint64_t most_ns) {
-  const std::string both = sentence_of({"the clocks of ", clock.who, " and ", reference.who});
-  constexpr std::string_view kAsTheyAre = "; their times stay unchanged";
+  const ClockOwners owners{.reference = reference.who, .other = clock.who};
   const auto found = compare(reference, clock);
-  if (!found)
-    return Agreement{.sentence = sentence_of(
-                         {both, " cannot be compared: no clock samples of one machine are in both", kAsTheyAre})};
-  const std::string told = to_text(found->offset), by = found->by.empty() ? "" : ", by " + found->by;
-  if (found->offset.error_ns > kUselessNs)
-    return Agreement{
-        .sentence = sentence_of({both, " cannot be compared: by their samples the offset is ", told, by, kAsTheyAre})};
-  const auto shift_ns = correction(found->offset, most_ns, clock.who + "'s");
-  if (!shift_ns) return shift_ns.failure();
-  if (*shift_ns == 0) return Agreement{.sentence = sentence_of({both, " agree: ", clock.who, "'s is ", told, by})};
-  return Agreement{.shift_ns = *shift_ns,
-                   .sentence = sentence_of(
-                       {clock.who, "'s clock is ", told, " of ", reference.who, "'s", by, ": its times are shifted"})};
+  if (!found) return no_agreement(owners, "no clock samples of one machine are in both");
+  if (found->offset.error_ns <= kUselessNs) return agreement_by(owners, found->offset, found->by, most_ns);
+  return no_agreement(owners, sentence_of({"by their samples the offset is ", to_text(found->offset),
+                                           found->by.empty() ? "" : ", by ", found->by}));
 }
 
 }  // namespace

@@ -39,7 +39,24 @@ std::optional<ClockComparison> compare(const RecordedClock& reference, const Rec
 struct Agreement {
   std::int64_t shift_ns = 0;  // to add to the session's times
   std::string sentence;       // for people; empty for the first session
+  bool known = true;          // false: the clocks could not be compared
 };
+
+/// The owners of two clocks.
+struct ClockOwners {
+  std::string reference, other;
+};
+
+/// Returns the shift for the `other` clock, which is ahead of `reference` by a known offset. `by` is the source of that
+/// offset; empty: one of the two measured the other. Returns an Error if the offset exceeds `most_ns`.
+Result<Agreement> agreement_by(const ClockOwners& owners, const ClockOffset& offset, const std::string& by,
+                               std::uint64_t most_ns);
+
+/// Returns the agreement of two clocks whose times stay unchanged, and the reason.
+Agreement no_agreement(const ClockOwners& owners, const std::string& reason);
+
+/// Greatest useful error [ns] of an offset. A ball rolls half a metre in that time.
+inline constexpr std::uint64_t kUselessNs = 250 * kMillisecond;
 
 /// Compares all clocks with the first. Returns an Error with the offset if one differs by more than `most_ns`.
 Result<std::vector<Agreement>> agree(const std::vector<RecordedClock>& clocks, std::uint64_t most_ns);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot/logging/sessions/session_provider.h"
@@ -17,22 +18,30 @@ struct Recorded {
   std::uint64_t capture_ns = 0;  // [ns since the epoch]
 };
 
-/// Reads all messages of `topic`, in the order of writing. Leaves out damaged ones; the report of the session's streams
-/// names the damage.
-template <class Message>
-std::vector<Recorded<Message>> read_all(const Session& session, const std::string& topic) {
-  std::vector<Recorded<Message>> all;
+/// Passes each message of `topic` and its capture time [ns since the epoch] to `visit`, in the order of writing. Leaves out
+/// damaged ones; the report of the session's streams names the damage.
+template <class Message, class Visit>
+void read_each(const Session& session, const std::string& topic, Visit&& visit) {
   const auto file = std::ranges::find(session.streams, topic, &StreamFile::topic);
-  if (file == session.streams.end()) return all;
+  if (file == session.streams.end()) return;
   const auto stream = provider_of(session, *file);
-  if (!stream->open()) return all;
+  if (!stream->open()) return;
+  Message message;
   while (true) {
     const Result<std::optional<Record>> record = stream->read();
     if (!record) continue;
     if (!*record) break;
-    Recorded<Message> message{.value = {}, .capture_ns = (*record)->capture_ns};
-    if (message.value.ParseFromString((*record)->bytes)) all.push_back(std::move(message));
+    if (message.ParseFromString((*record)->bytes)) visit(message, (*record)->capture_ns);
   }
+}
+
+/// Reads all messages of `topic`, in the order of writing, as read_each() does.
+template <class Message>
+std::vector<Recorded<Message>> read_all(const Session& session, const std::string& topic) {
+  std::vector<Recorded<Message>> all;
+  read_each<Message>(session, topic, [&](Message& message, std::uint64_t capture_ns) {
+    all.push_back({.value = std::move(message), .capture_ns = capture_ns});
+  });
   return all;
 }
 
