@@ -6,6 +6,7 @@
 //   bench_truth_calibration [TRIALS]      200 by default; one line of JSON for each click deviation and depth scale
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
 
 #include "tests/bench/truth_calibration.h"
 

@@ -54,7 +54,7 @@ robot::truth::SensorPose GroundScene::pose() const {
 DepthFrame GroundScene::depth_image(std::mt19937* random) const {
   constexpr double kFarthest = 8;  // [m]
   DepthFrame frame{.intrinsics = intrinsics};
-  frame.depth.reserve(static_cast<std::size_t>(intrinsics.width * intrinsics.height));
+  frame.depth.reserve(static_cast<std::size_t>(intrinsics.width) * static_cast<std::size_t>(intrinsics.height));
   const Eigen::Matrix3d turn = field_from_sensor.linear();
   Ray ray;
   Eigen::Vector3d::Map(ray.eye) = field_from_sensor.translation();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/truth/calibration/check_clicks.h"
 #include "robot/truth/calibration/fit.h"
 #include "robot/truth/calibration/refusal.h"
 #include "robot/truth/calibration/start.h"

@@ -26,7 +26,7 @@ struct CalibrationOptions {
   double largest_error = 0.05;          // [m] a calibration whose expected p95 error is greater is refused
   double robot_height = 0.3;            // [m] of the measured points of a robot
   double ball_radius = 0.05;            // [m]
-  bool focal_free = false;              // fits the focal length, known to 20 %
+  bool focal_free = false;              // fits the focal length, known to 20 %; for a camera without depths
   bool k1_free = false;                 // fits the first distortion of the lens, known to 0.3
 };
 

@@ -17,6 +17,10 @@ constexpr int kFewestPixels = 100;    // of a plane that may be the carpet
 constexpr int kTrials = 300;          // planes through three pixels: half of them on the carpet gives 37 good planes
 constexpr std::size_t kJudges = 600;  // pixels that vote on a trial
 
+std::size_t index_of(int column, int row, int columns) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+}
+
 /// A measured point and the deviation of its depth.
 struct GroundSample {
   Eigen::Vector3d point;  // [m, sensor]
@@ -36,7 +40,7 @@ struct Plane {
 
 std::optional<GroundSample> sample_at(const DepthFrame& frame, const Camera& camera, int column, int row) {
   const Intrinsics& image = frame.intrinsics;
-  const double z = frame.unit * frame.depth[static_cast<std::size_t>(row * image.width + column)];
+  const double z = frame.unit * frame.depth[index_of(column, row, image.width)];
   const auto ray = z > 0 ? camera.ray({column + 0.5, row + 0.5}) : std::nullopt;
   if (!ray) return std::nullopt;
   const double rounding = DepthNoise::step(image, z) / std::sqrt(12.);
@@ -48,9 +52,7 @@ struct SampleGrid {
   int columns = 0, rows = 0;
   std::vector<std::optional<GroundSample>> samples;
 
-  const std::optional<GroundSample>& at(int column, int row) const {
-    return samples[static_cast<std::size_t>(row * columns + column)];
-  }
+  const std::optional<GroundSample>& at(int column, int row) const { return samples[index_of(column, row, columns)]; }
 
   std::vector<GroundSample> measured() const {
     std::vector<GroundSample> all;
@@ -179,8 +181,7 @@ Ground ground_of(const Plane& plane, const std::vector<GroundSample>& samples) {
 
 Result<Ground> find_ground(const DepthFrame& frame, const Lens& lens, const std::vector<Eigen::Vector2d>& clicks) {
   const Camera camera{frame.intrinsics, lens};
-  const auto expected = static_cast<std::size_t>(frame.intrinsics.width * frame.intrinsics.height);
-  if (frame.depth.size() != expected)
+  if (frame.depth.size() != index_of(0, frame.intrinsics.height, frame.intrinsics.width))
     return Error{formatted("depth image: expected %d x %d depths, got %zu", frame.intrinsics.width,
                            frame.intrinsics.height, frame.depth.size())};
 

@@ -1,4 +1,4 @@
-// The reasons to refuse a calibration, and the click that would help.
+// The reasons to refuse a finished calibration.
 #pragma once
 
 #include <string>
@@ -9,11 +9,8 @@
 
 namespace robot::truth {
 
-/// Returns an Error if the clicks cannot give any calibration: see calibrate().
-Result<void> check_clicks(const std::vector<Landmark>& landmarks, const std::vector<Click>& clicks,
-                          const Camera& camera, const CalibrationOptions& options);
-
-/// Returns the reason to refuse a finished calibration, or an empty text. `sightings` are all clicks, in their order.
+/// Returns the reason to refuse a calibration with the help for it, or an empty text. `sightings` are those of the clicks, in
+/// their order.
 std::string refusal_of(const Calibration& calibration, const Fit& fit, const std::vector<Landmark>& landmarks,
                        const std::vector<Sighting>& sightings, const CalibrationOptions& options);
 

@@ -46,7 +46,7 @@ using PoseCovariance = decltype(SensorPose::covariance);
 PoseCovariance read_covariance(JsonReader& reader, const nlohmann::json& entry) {
   const std::vector<double> numbers =
       reader.numbers(entry, "covariance", PoseCovariance::SizeAtCompileTime, kMostVariance);
-  const PoseCovariance covariance = Eigen::Map<const PoseCovariance>(numbers.data());
+  PoseCovariance covariance = Eigen::Map<const PoseCovariance>(numbers.data());
   // rounding may leave an eigenvalue a little below 0
   const double rounding = 1e-9 * covariance.norm();
   const Eigen::SelfAdjointEigenSolver<PoseCovariance> solver(covariance);

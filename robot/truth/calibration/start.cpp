@@ -43,13 +43,14 @@ void add_pose_of_two(const Ground& ground, const CarpetSighting& a, const Carpet
 Eigen::Matrix3d homography_of(const std::array<const CarpetSighting*, 4>& four) {
   Eigen::Matrix<double, 8, 8> equations;
   Eigen::Matrix<double, 8, 1> right;
-  for (int i = 0; i < 4; ++i) {
-    const Eigen::RowVector3d place(four[static_cast<std::size_t>(i)]->place.x(),
-                                   four[static_cast<std::size_t>(i)]->place.y(), 1);
-    const Eigen::Vector3d& ray = four[static_cast<std::size_t>(i)]->ray;
-    equations.row(2 * i) << place, Eigen::RowVector3d::Zero(), -ray.x() * place.head<2>();
-    equations.row(2 * i + 1) << Eigen::RowVector3d::Zero(), place, -ray.y() * place.head<2>();
-    right.segment<2>(2 * i) = ray.head<2>();
+  Eigen::Index at = 0;
+  for (const CarpetSighting* sighting : four) {
+    const Eigen::RowVector3d place = sighting->place.homogeneous().transpose();
+    const Eigen::Vector3d& ray = sighting->ray;
+    equations.row(at) << place, Eigen::RowVector3d::Zero(), -ray.x() * place.head<2>();
+    equations.row(at + 1) << Eigen::RowVector3d::Zero(), place, -ray.y() * place.head<2>();
+    right.segment<2>(at) = ray.head<2>();
+    at += 2;
   }
   const Eigen::Matrix<double, 8, 1> solution = equations.partialPivLu().solve(right);
   Eigen::Matrix3d homography;

@@ -140,6 +140,22 @@ TEST(Calibrate, FindsOneClickThatIsFarOff) {
   }
 }
 
+TEST(Calibrate, CountsTheHiddenFootOfAPostLess) {
+  const auto error_after_moving = [](const char* moved) {
+    GroundScene scene = lab().scene;
+    scene.field_from_sensor = tests::looking({0, -4.5, 2.5}, {0, 0.5, 0});
+    std::mt19937 random(1);
+    Clicks clicks = scene.clicks(random, 0);
+    const Eigen::Vector2d post = scene.pose().pixel(find_landmark(lab().landmarks, "post +x +y, foot")->position);
+    clicks.push_back({"post +x +y, foot", post.x(), post.y()});
+    for (Click& click : clicks)
+      if (click.landmark == moved) click.y += 3;
+    const auto calibration = calibrate(lab().landmarks, clicks, lab().camera, std::nullopt);
+    return calibration ? difference(calibration->pose.field_from_sensor, scene.field_from_sensor) : 1e9;
+  };
+  EXPECT_LT(error_after_moving("post +x +y, foot"), 0.3 * error_after_moving("goal area +x +y, goal line"));
+}
+
 TEST(Calibrate, NamesTheLandmarkThatTheOthersPlaceWorst) {
   Clicks clicks = lab().clicks();
   clicks[2].y += 3;
