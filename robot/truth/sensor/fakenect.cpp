@@ -38,7 +38,7 @@ std::uint64_t distance_ns(std::uint64_t a, std::uint64_t b) { return a > b ? a -
 
 /// Returns the colour image of this moment, or an empty one if the recording has none.
 Result<ColourImage> FakenectFolder::colour_at(std::uint64_t capture_ns) const {
-  const auto farther = [&](const FakenectColour& a, const FakenectColour& b) {
+  const auto nearer = [&](const FakenectColour& a, const FakenectColour& b) {
     return distance_ns(a.capture_ns, capture_ns) < distance_ns(b.capture_ns, capture_ns);
   };
   auto after =
@@ -46,7 +46,7 @@ Result<ColourImage> FakenectFolder::colour_at(std::uint64_t capture_ns) const {
                        [](const FakenectColour& colour, std::uint64_t time) { return colour.capture_ns < time; });
   const auto first = after == colours.begin() ? after : after - 1;
   const auto last = after == colours.end() ? after : after + 1;
-  const auto nearest = std::min_element(first, last, farther);
+  const auto nearest = std::min_element(first, last, nearer);
   if (nearest == last || distance_ns(nearest->capture_ns, capture_ns) > kSameMoment_ns) return ColourImage{};
   return read_image(path / nearest->name, read_ppm);
 }

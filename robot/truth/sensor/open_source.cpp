@@ -1,7 +1,6 @@
 #include "robot/truth/sensor/open_source.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <string_view>
 #include <utility>
@@ -25,10 +24,12 @@ struct Address {
   std::string whole, place;
 };
 
+using OpenKind = Opened (*)(const Address&);
+
 struct SourceKind {
   std::string_view name, place, purpose;
-  Opened (*open)(const Address&);  // nullptr: not in this build
-  std::string_view package;        // with the driver's headers
+  OpenKind open;             // nullptr: not in this build
+  std::string_view package;  // with the driver's headers, if it may be missing
 };
 
 using MakeDriver = Result<std::unique_ptr<SensorDriver>> (*)(const std::string& place, const CameraFile& camera);
@@ -57,8 +58,9 @@ Opened open_freenect(const Address& address) {
     return Error{"expected the number of a Kinect, from 0 on, got \"" + printable(place, 40) + "\""};
   });
 }
+constexpr OpenKind kOpenFreenect = open_freenect;
 #else
-constexpr Opened (*open_freenect)(const Address&) = nullptr;
+constexpr OpenKind kOpenFreenect = nullptr;
 #endif
 
 #if FORESIGHT_OPENNI
@@ -67,8 +69,9 @@ Opened open_openni(const Address& address) {
     return openni_driver(place);
   });
 }
+constexpr OpenKind kOpenOpenni = open_openni;
 #else
-constexpr Opened (*open_openni)(const Address&) = nullptr;
+constexpr OpenKind kOpenOpenni = nullptr;
 #endif
 
 Opened open_video(const Address& address) {
@@ -87,8 +90,8 @@ const std::vector<SourceKind>& source_kinds() {
        [](const Address& address) { return open_image_folder(address.whole, address.place); }, ""},
       {"pclzf", "FOLDER", "a recording of PCL: *_depth.pclzf, *.xml, *_rgb.pclzf",
        [](const Address& address) { return open_pclzf(address.whole, address.place); }, ""},
-      {"freenect", "N", "the first Kinect, through libfreenect", open_freenect, "libfreenect-dev"},
-      {"openni", "N", "a sensor of PrimeSense, Asus or Orbbec, through OpenNI 2", open_openni, "libopenni2-dev"},
+      {"freenect", "N", "the first Kinect, through libfreenect", kOpenFreenect, "libfreenect-dev"},
+      {"openni", "N", "a sensor of PrimeSense, Asus or Orbbec, through OpenNI 2", kOpenOpenni, "libopenni2-dev"},
       {"v4l2", "DEVICE", "a depth camera of the kernel (Z16), such as /dev/video2", open_video, ""},
   };
   return kinds;
