@@ -7,7 +7,7 @@
 #include "robot/app/truth/simulated_scene.h"
 #include "robot/bridge/to_messages.h"
 #include "robot/truth/sensor/open_source.h"
-#include "robot/truth/synthetic/looking.h"
+#include "robot/truth/synthetic/sensor_poses.h"
 #include "robot/truth/synthetic/synthetic_sensor.h"
 #include "sim/io/rules.h"
 
