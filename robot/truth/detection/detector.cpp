@@ -1,7 +1,7 @@
 #include "robot/truth/detection/detector.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 #include "robot/truth/detection/checks.h"
 #include "robot/truth/detection/goals.h"

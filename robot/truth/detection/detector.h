@@ -33,7 +33,7 @@ class Detector {
   Result<void> learn_background(const DepthFrame& frame);
 
   /// Returns the robots and the ball in an image. Returns an Error for an image of another size. `detected_ns` is 0, since
-  /// pure code knows no clock. After the first image, it allocates nothing but the list of robots.
+  /// pure code knows no clock. Memory is kept, so that after some images only the list of robots is allocated.
   Result<Detections> detect(const DepthFrame& frame);
 
  private:

@@ -12,8 +12,8 @@ namespace robot::truth {
 
 /// Everything about a sensor at its place that does not depend on an image, computed once.
 ///
-/// A pixel notices a depth when something stands there on the carpet or at most 0.4 m outside of it: nearer than the empty
-/// field by 1.8 standard deviations of the noise. Pixels that can never notice anything are cut away.
+/// A pixel notices a depth that is nearer than the empty field by 1.8 standard deviations of the noise. It must be on the
+/// carpet or at most 0.4 m outside of it. Pixels that can never notice anything are cut away.
 class Sight {
  public:
   /// `unit` [m] is a step of the measured depths; things below `lowest` [m] are never noticed.
