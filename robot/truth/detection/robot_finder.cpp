@@ -116,9 +116,9 @@ void find_robots(const Sight& sight, const DetectorOptions& options, GroundGrid&
                    .person = 0.45F,
                    .claim = 0,
                    .height = 0.1F,
-                   .surface_to_centre = 0.085F,
+                   .surface_to_centre = 0.09F,
                    .along = 0.028F,
-                   .across = 0.025F};
+                   .across = 0.032F};
   for (const Kind& kind : {heads, bodies, lying}) find_kind(sight, kind, grid, robots);
 }
 

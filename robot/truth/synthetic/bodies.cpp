@@ -31,7 +31,7 @@ BodyFrame lying(double x, double y, double heading) {
   constexpr float kBack = 0.09F;  // [m] from the axis of its body
   BodyFrame frame = upright(x, y, heading);
   Eigen::Matrix3f back_down;
-  back_down << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+  back_down << 0, 0, 1, 0, -1, 0, 1, 0, 0;
   frame.turned *= back_down;
   frame.origin += Vector3f(0, 0, kBack) - frame.turned.col(2) * static_cast<float>(kRobotHeight / 2);
   return frame;
