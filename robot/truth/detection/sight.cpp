@@ -112,8 +112,12 @@ void Sight::cut_away() {
 }
 
 float Sight::deviation_at(const Vector3f& place) const {
+  return static_cast<float>(total_deviation(pose_.intrinsics, static_cast<double>(depth_of(place))));
+}
+
+float Sight::depth_of(const Vector3f& place) const {
   const Vector3f forward = pose_.field_from_sensor.linear().col(2).cast<float>();
-  return static_cast<float>(total_deviation(pose_.intrinsics, static_cast<double>(forward.dot(place - eye_))));
+  return forward.dot(place - eye_);
 }
 
 float Sight::background(int row, int column) const {

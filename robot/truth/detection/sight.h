@@ -54,6 +54,8 @@ class Sight {
   /// Returns the standard deviation [m] of a measured depth, and of the depth of a place [m, field].
   float deviation(std::uint16_t depth) const { return deviations_[depth / kDeviationStep]; }
   float deviation_at(const Eigen::Vector3f& place) const;
+  /// Returns the depth [m] of a place [m, field].
+  float depth_of(const Eigen::Vector3f& place) const;
   /// Returns the depth [m] of the empty field at a pixel; infinite where there is none.
   float background(int row, int column) const;
   /// Returns the area [m²], square to the ray, of a pixel at 1 m.

@@ -29,7 +29,7 @@ void roll(Watched& watched, double radius, BallColour colour, double far, double
 }
 
 TEST(Ball, ThatRollsAlongALineIsFoundOnItByItsColour) {
-  Watched watched;
+  Watched watched(mast(kField2012));
   roll(watched, 0.05, BallColour::orange, 1.6, 0.012);
 }
 

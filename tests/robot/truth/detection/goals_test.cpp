@@ -7,7 +7,7 @@
 namespace robot::truth {
 namespace {
 
-SensorPose towards_a_goal() { return looking({-0.5, -3.2, 2.1}, {1.4, 0.2, 0}); }
+SensorPose towards_a_goal() { return looking({-0.5, -3.2, 2.1}, {1.4, 0.2, 0}, kHalf); }
 
 TEST(Goals, AreNoRobots) {
   Watched watched(towards_a_goal());

@@ -43,7 +43,7 @@ TEST(LearnedBackground, KeepsNoTraceOfAPersonWhoWalksThrough) {
 }
 
 TEST(LearnedBackground, DoesNotMakeThingsOutsideOfTheCarpetVisible) {
-  Watched watched(looking({0, -2, 2}, {0, 2.5, 0}));
+  Watched watched(looking({0, -2, 2}, {0, 2.5, 0}, kHalf));
   learn(watched, {}, 3);
   EXPECT_TRUE(watched.see(Scene{.robots = {{.x = 0, .y = 3.4}}}).robots.empty());
 }

@@ -9,7 +9,7 @@ namespace robot::truth {
 namespace {
 
 TEST(Robots, StandWhereTheyAreSeen) {
-  Watched watched;
+  Watched watched(mast(kField2012));
   double sum = 0, squares = 0, worst = 0;
   int count = 0;
   for (std::uint64_t number = 0; number < 10; ++number) {
@@ -46,7 +46,7 @@ TEST(Robots, ThatTouchAreTwo) {
 }
 
 TEST(Robots, AtTheFarEndAreNotSplitByTheNoise) {
-  Watched watched;
+  Watched watched(mast(kField2012));
   for (std::uint64_t number = 0; number < 8; ++number) {
     const Scene scene{.robots = {{.x = 2.2, .y = 1.8, .heading = static_cast<double>(number)}}};
     EXPECT_EQ(watched.see(scene, number).robots.size(), 1U) << number;
@@ -83,7 +83,7 @@ TEST(Robots, BesideAPersonAreSeen) {
 }
 
 TEST(Robots, AtTheBorderOfTheImageAreLeftOut) {
-  const SensorPose pose = mast(kField2012);
+  const SensorPose pose = mast(kField2012, -1, 0, kHalf);
   Watched watched(pose);
   const double y = 0.2;
   for (double x = 1.8; x < 2.6; x += 0.05) {
@@ -95,7 +95,7 @@ TEST(Robots, AtTheBorderOfTheImageAreLeftOut) {
 }
 
 TEST(Robots, OutsideOfTheCarpetDoNotCount) {
-  Watched watched(looking({0, -2, 2}, {0, 2.5, 0}));
+  Watched watched(looking({0, -2, 2}, {0, 2.5, 0}, kHalf));
   EXPECT_TRUE(watched.see(Scene{.robots = {{.x = 0, .y = 3.4}}}).robots.empty());
 }
 

@@ -8,7 +8,7 @@ namespace robot::truth {
 namespace {
 
 TEST(SurfaceToCentre, FiveMarksGiveTheDefaultForRobotsLikeANao) {
-  const SensorPose pose = mast(kField2012);
+  const SensorPose pose = mast(kField2012, -1, 0, kHalf);
   Renderer renderer(pose, kHall, {.colour = false});
   std::vector<MarkedFrame> frames;
   for (const auto& [x, y] : {std::pair{0., 0.}, {-1., -0.5}, {1., -0.5}, {-1., 1.}, {1., 1.}})
@@ -21,7 +21,7 @@ TEST(SurfaceToCentre, FiveMarksGiveTheDefaultForRobotsLikeANao) {
 }
 
 TEST(SurfaceToCentre, OfImagesWithoutARobotIsOneSentence) {
-  const SensorPose pose = mast(kField2012);
+  const SensorPose pose = mast(kField2012, -1, 0, kHalf);
   Renderer renderer(pose, kHall);
   const std::vector<MarkedFrame> frames{{renderer.render(Scene{.robots = {{.x = 1}}}, 0), {0, 0}}};
   const Result<double> fitted = fit_surface_to_centre(pose, kField2012, {}, frames);

@@ -26,4 +26,8 @@ inline constexpr Surroundings kHall{.field = kField2012};
 inline constexpr Intrinsics kSmall{
     .width = 160, .height = 120, .focal_x = 143.95, .focal_y = 143.95, .centre_x = 80, .centre_y = 60};
 
+/// The same with half of the pixels in each direction.
+inline constexpr Intrinsics kHalf{
+    .width = 320, .height = 240, .focal_x = 287.9, .focal_y = 287.9, .centre_x = 160, .centre_y = 120};
+
 }  // namespace robot::truth
