@@ -1,7 +1,7 @@
 #include "robot/truth/detection/detector.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 #include "robot/truth/detection/checks.h"
 #include "robot/truth/detection/goals.h"
@@ -41,19 +41,27 @@ void Detector::use_unit(double unit) {
   unit_ = unit;
   sight_ = make_sight(sight_.pose(), field_, options_, unit);
   background_ = {};
+  background_is_new_ = false;
+}
+
+void Detector::use_background() {
+  if (!background_is_new_) return;
+  sight_.set_background(background_.median());
+  background_is_new_ = false;
 }
 
 Result<void> Detector::learn_background(const DepthFrame& frame) {
   if (const Result<void> checked = check(frame, sight_.pose().intrinsics); !checked) return checked.failure();
   use_unit(frame.unit);
   background_.add(frame.depth);
-  sight_.set_background(background_.median());
+  background_is_new_ = true;
   return {};
 }
 
 Result<Detections> Detector::detect(const DepthFrame& frame) {
   if (const Result<void> checked = check(frame, sight_.pose().intrinsics); !checked) return checked.failure();
   use_unit(frame.unit);
+  use_background();
   scan(frame);
   Detections seen;
   seen.capture_ns = frame.capture_ns;

@@ -29,16 +29,17 @@ class Detector {
                                  const DetectorOptions& options = {});
 
   /// Takes an image of the empty field into the median of the last 15 such images. From then on, each pixel is compared with
-  /// this median instead of a plane: nets, cables and waves of the carpet are no things. Takes some 100 ms.
+  /// this median instead of a plane: nets, cables and waves of the carpet are no things. The next detect() takes 100 ms.
   Result<void> learn_background(const DepthFrame& frame);
 
   /// Returns the robots and the ball in an image. Returns an Error for an image of another size. `detected_ns` is 0, since
-  /// pure code knows no clock. After the first image, it allocates nothing but the list of robots.
+  /// pure code knows no clock. Memory is kept, so that after some images only the list of robots is allocated.
   Result<Detections> detect(const DepthFrame& frame);
 
  private:
   Detector(const SensorPose& pose, const sim::field::Field& field, const DetectorOptions& options);
   void use_unit(double unit);
+  void use_background();
   void scan(const DepthFrame& frame);
   void scan_row(const DepthFrame& frame, int row);
   void add_point(int row, int column, std::uint16_t depth);
@@ -48,6 +49,7 @@ class Detector {
   double unit_;  // [m] of the depths in the images
   Sight sight_;
   Background background_;
+  bool background_is_new_ = false;
   GroundGrid grid_;
   OrangeBallFinder orange_ball_finder_;
   BallShapeFinder ball_shape_finder_;

@@ -25,11 +25,13 @@ struct View {
   Vector2f away;    // horizontal unit vector [field] from the sensor
   float level;      // cosine of the angle between ray and ground
   float deviation;  // [m] of a single depth
+  float pixel;      // [m²] the area that a pixel covers
 
   View(const Sight& sight, const Vector3f& place)
       : away((place - sight.eye()).head<2>().normalized()),
         level((place - sight.eye()).head<2>().norm() / (place - sight.eye()).norm()),
-        deviation(sight.deviation_at(place)) {}
+        deviation(sight.deviation_at(place)),
+        pixel(sight.pixel_area() * sight.depth_of(place) * sight.depth_of(place)) {}
 };
 
 Vector3f at_height(const Vector2f& place, float height) { return {place.x(), place.y(), height}; }
@@ -46,9 +48,9 @@ bool at_border(const Sight& sight, const Vector3f& place, float radius) {
 }
 
 SeenRobot seen_robot(const View& view, const Kind& kind, const Surface& surface) {
-  // the noise of a part is that of about 30 independent depths, and its highest point is two deviations too high
-  constexpr float kMeanNoise = 0.18F, kTopNoise = 2;
-  const float along = std::hypot(kind.along, kMeanNoise * view.deviation);
+  // blocks of pixels have the same noise, and the highest of some hundred points is two deviations too high
+  constexpr float kBlock = 9, kTopNoise = 2;
+  const float along = std::hypot(kind.along, view.deviation * std::sqrt(kBlock * view.pixel / surface.area));
   const Vector2f left(-view.away.y(), view.away.x());
   const Vector2f place = surface.mean() + kind.surface_to_centre * view.level * view.away;
   const Eigen::Matrix2f covariance =
@@ -116,9 +118,9 @@ void find_robots(const Sight& sight, const DetectorOptions& options, GroundGrid&
                    .person = 0.45F,
                    .claim = 0,
                    .height = 0.1F,
-                   .surface_to_centre = 0.085F,
-                   .along = 0.028F,
-                   .across = 0.025F};
+                   .surface_to_centre = 0.09F,
+                   .along = 0.034F,
+                   .across = 0.045F};
   for (const Kind& kind : {heads, bodies, lying}) find_kind(sight, kind, grid, robots);
 }
 

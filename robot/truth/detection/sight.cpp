@@ -27,15 +27,11 @@ struct Stretch {
   double near = 0, far = std::numeric_limits<double>::infinity();
 };
 
-/// Returns the part of a ray that is above a rectangle around the origin.
-Stretch above(const Vector2d& half_size, const Vector2d& eye, const Vector2d& ray) {
-  Stretch stretch;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double one = (-half_size[axis] - eye[axis]) / ray[axis], other = (half_size[axis] - eye[axis]) / ray[axis];
-    stretch.near = std::max(stretch.near, std::min(one, other));
-    stretch.far = std::min(stretch.far, std::max(one, other));
-  }
-  return stretch;
+/// Shortens a stretch to the part between -half_size and half_size on one axis.
+void cut(Stretch& stretch, double half_size, double eye, double ray) {
+  const double one = (-half_size - eye) / ray, other = (half_size - eye) / ray;
+  stretch.near = std::max(stretch.near, std::min(one, other));
+  stretch.far = std::min(stretch.far, std::max(one, other));
 }
 
 }  // namespace
@@ -84,11 +80,14 @@ void Sight::set_limits() {
 }
 
 void Sight::set_limits(int row, int column) {
-  const Vector3d step = ray(row, column).cast<double>();
+  const Vector3f step = ray(row, column);
+  const double fall = -static_cast<double>(step.z());
   const double metres = static_cast<double>(metres_), empty = static_cast<double>(background(row, column));
-  Stretch noticed = above(half_size_, eye_.head<2>().cast<double>(), step.head<2>());
+  Stretch noticed;
+  for (int axis = 0; axis < 2; ++axis)
+    cut(noticed, half_size_[axis], static_cast<double>(eye_[axis]), static_cast<double>(step[axis]));
   if (std::isfinite(empty)) {
-    const double high = step.z() < 0 ? -lowest_ / step.z() : 0;
+    const double high = fall > 0 ? lowest_ / fall : 0;
     const double noise = kNotice * total_deviation(pose_.intrinsics, empty) / metres;
     noticed.far = std::min(noticed.far, empty / metres - std::max(high, noise));
   }
@@ -113,8 +112,12 @@ void Sight::cut_away() {
 }
 
 float Sight::deviation_at(const Vector3f& place) const {
+  return static_cast<float>(total_deviation(pose_.intrinsics, static_cast<double>(depth_of(place))));
+}
+
+float Sight::depth_of(const Vector3f& place) const {
   const Vector3f forward = pose_.field_from_sensor.linear().col(2).cast<float>();
-  return static_cast<float>(total_deviation(pose_.intrinsics, static_cast<double>(forward.dot(place - eye_))));
+  return forward.dot(place - eye_);
 }
 
 float Sight::background(int row, int column) const {

@@ -12,8 +12,8 @@ namespace robot::truth {
 
 /// Everything about a sensor at its place that does not depend on an image, computed once.
 ///
-/// A pixel notices a depth when something stands there on the carpet or at most 0.4 m outside of it: nearer than the empty
-/// field by 1.8 standard deviations of the noise. Pixels that can never notice anything are cut away.
+/// A pixel notices a depth that is nearer than the empty field by 1.8 standard deviations of the noise. It must be on the
+/// carpet or at most 0.4 m outside of it. Pixels that can never notice anything are cut away.
 class Sight {
  public:
   /// `unit` [m] is a step of the measured depths; things below `lowest` [m] are never noticed.
@@ -54,6 +54,8 @@ class Sight {
   /// Returns the standard deviation [m] of a measured depth, and of the depth of a place [m, field].
   float deviation(std::uint16_t depth) const { return deviations_[depth / kDeviationStep]; }
   float deviation_at(const Eigen::Vector3f& place) const;
+  /// Returns the depth [m] of a place [m, field].
+  float depth_of(const Eigen::Vector3f& place) const;
   /// Returns the depth [m] of the empty field at a pixel; infinite where there is none.
   float background(int row, int column) const;
   /// Returns the area [m²], square to the ray, of a pixel at 1 m.

@@ -1,6 +1,7 @@
 #include "robot/truth/detection/surface_to_centre.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robot/core/text.h"
 #include "robot/truth/detection/detector.h"

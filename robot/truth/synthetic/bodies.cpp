@@ -1,5 +1,6 @@
 #include "robot/truth/synthetic/bodies.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace robot::truth {
@@ -19,7 +20,8 @@ struct BodyFrame {
 
 BodyFrame upright(double x, double y, double heading) {
   const auto cosine = static_cast<float>(std::cos(heading)), sine = static_cast<float>(std::sin(heading));
-  BodyFrame frame{.origin = Eigen::Vector3d(x, y, 0).cast<float>()};
+  BodyFrame frame;
+  frame.origin = Eigen::Vector3d(x, y, 0).cast<float>();
   frame.turned << cosine, -sine, 0, sine, cosine, 0, 0, 0, 1;
   return frame;
 }
@@ -29,7 +31,7 @@ BodyFrame lying(double x, double y, double heading) {
   constexpr float kBack = 0.09F;  // [m] from the axis of its body
   BodyFrame frame = upright(x, y, heading);
   Eigen::Matrix3f back_down;
-  back_down << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+  back_down << 0, 0, 1, 0, -1, 0, 1, 0, 0;
   frame.turned *= back_down;
   frame.origin += Vector3f(0, 0, kBack) - frame.turned.col(2) * static_cast<float>(kRobotHeight / 2);
   return frame;

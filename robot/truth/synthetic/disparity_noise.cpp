@@ -1,41 +1,18 @@
 #include "robot/truth/synthetic/disparity_noise.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "robot/truth/synthetic/random_bits.h"
+
 namespace robot::truth {
 namespace {
 
-constexpr std::size_t kTableWidth = 1024, kTableHeight = 512;  // powers of two, so that a mask wraps a place
+constexpr std::size_t kTableWidth = 1024, kTableHeight = 512;  // powers of two, whose remainders are fast
 
-/// A sequence of random bits, the same on all machines.
-class Bits {
- public:
-  explicit Bits(std::uint64_t seed) : state_(mixed(seed)) {}
-
-  /// Returns a number below 65536.
-  std::uint32_t next() {
-    // Marsaglia's xorshift
-    state_ ^= state_ << 13;
-    state_ ^= state_ >> 7;
-    state_ ^= state_ << 17;
-    return static_cast<std::uint32_t>(state_ >> 48);
-  }
-
- private:
-  /// Spreads neighbouring seeds over all values but 0 (splitmix64).
-  static std::uint64_t mixed(std::uint64_t seed) {
-    seed += 0x9e3779b97f4a7c15;
-    seed = (seed ^ (seed >> 30)) * 0xbf58476d1ce4e5b9;
-    seed = (seed ^ (seed >> 27)) * 0x94d049bb133111eb;
-    return (seed ^ (seed >> 31)) | 1;
-  }
-
-  std::uint64_t state_;
-};
+/// Returns independent numbers of mean 0 and deviation 1.
 
 std::vector<float> white_noise() {
   std::vector<float> noise(kTableWidth * kTableHeight);
@@ -77,6 +54,7 @@ class Meter {
  public:
   Meter(const DepthFrame& frame, double depth_scale)
       : disparity_(static_cast<float>(frame.intrinsics.focal_x * frame.intrinsics.baseline)),
+        eighths_(8 * disparity_),
         steps_(static_cast<float>(1 / (frame.unit * depth_scale))) {}
 
   /// Returns the disparity at a depth [px].
@@ -84,13 +62,14 @@ class Meter {
 
   /// Returns a depth with an error of `noise` standard deviations, as the image has it.
   std::uint16_t measured(float z, float noise, float edge_noise) const {
-    float noisy = z + (0.0012F + 0.0019F * (z - 0.4F) * (z - 0.4F)) * noise + edge_noise;
-    if (disparity_ > 0) noisy = 8 * disparity_ / static_cast<float>(static_cast<int>(8 * disparity_ / noisy + 0.5F));
+    float noisy = z + static_cast<float>(DepthNoise::deviation(static_cast<double>(z))) * noise + edge_noise;
+    if (disparity_ > 0) noisy = eighths_ / std::max(1.F, static_cast<float>(static_cast<int>(eighths_ / noisy + 0.5F)));
     return static_cast<std::uint16_t>(std::min(noisy * steps_ + 0.5F, 65535.F));
   }
 
  private:
-  float disparity_;  // [px m]
+  float disparity_;  // [px m] of a thing, times its depth
+  float eighths_;    // the same in eighths of a pixel
   float steps_;      // of the image's values in a true metre
 };
 
@@ -100,7 +79,7 @@ std::uint32_t chance_of_dropout(float z, bool edge) {
 }
 
 /// Writes one row of the image. `noise` repeats after kTableWidth values from its start; the first column is `shift` in it.
-void measure_row(const Row& row, const Meter& meter, const float* noise, std::size_t shift, Bits& bits,
+void measure_row(const Row& row, const Meter& meter, const float* noise, std::size_t shift, RandomBits& bits,
                  std::uint16_t* depth) {
   constexpr float kNearest = 0.5F, kFarthest = 8;  // [m]
   float shadow_end = -kFar;                        // [px] where the projector's light of the nearest thing so far falls
@@ -119,31 +98,6 @@ void measure_row(const Row& row, const Meter& meter, const float* noise, std::si
   }
 }
 
-using Colour = std::array<std::uint8_t, 3>;
-
-constexpr Colour colour_of(Material material) {
-  switch (material) {
-    case Material::nothing: return {40, 40, 45};
-    case Material::carpet: return {40, 120, 50};
-    case Material::line: return {225, 230, 225};
-    case Material::wall: return {150, 140, 130};
-    case Material::post: return {235, 235, 230};
-    case Material::robot: return {205, 205, 215};
-    case Material::person: return {35, 35, 50};
-    case Material::orange: return {235, 110, 25};
-    case Material::white: return {230, 230, 230};
-    case Material::black:
-    case Material::patches: return {30, 30, 30};
-  }
-  return {};
-}
-
-/// Returns the material that a pixel seems to have. Draws no random bits for pixels that are certain.
-Material seeming(Material material, Bits& bits) {
-  if (material == Material::orange && bits.next() < 65536 / 20) return Material::carpet;
-  return material;
-}
-
 }  // namespace
 
 DisparityNoise::DisparityNoise() : correlated_(sums_of_three(sums_of_three(white_noise(), 1), kTableWidth)) {}
@@ -152,7 +106,7 @@ void DisparityNoise::measure(const Cast& cast, double depth_scale, std::uint64_t
   const auto width = static_cast<std::size_t>(frame.intrinsics.width);
   const auto height = static_cast<std::size_t>(frame.intrinsics.height);
   const Meter meter(frame, depth_scale);
-  Bits bits(number);
+  RandomBits bits(number);
   const std::size_t shift = bits.next() % kTableWidth, first_row = bits.next() % kTableHeight;
   frame.depth.resize(width * height);
   for (std::size_t y = 0; y < height; ++y) {
@@ -161,20 +115,6 @@ void DisparityNoise::measure(const Cast& cast, double depth_scale, std::uint64_t
     const float* const noise = &correlated_[(first_row + y) % kTableHeight * kTableWidth];
     measure_row(row, meter, noise, shift, bits, &frame.depth[y * width]);
   }
-}
-
-void DisparityNoise::colour(const Cast& cast, std::uint64_t number, DepthFrame& frame) {
-  const auto width = static_cast<std::size_t>(frame.intrinsics.width);
-  Bits bits(~number);
-  frame.rgb.resize(3 * cast.material.size());
-  const auto paint = [&](std::size_t pixel, Material material) {
-    const Colour colour = colour_of(material);
-    std::copy(colour.begin(), colour.end(), &frame.rgb[3 * pixel]);
-  };
-  for (std::size_t pixel = 0; pixel < cast.material.size(); ++pixel)
-    paint(pixel, seeming(cast.material[pixel % width == 0 ? pixel : pixel - 1], bits));
-  for (std::size_t i = 0; i < cast.material.size() / 100'000; ++i)
-    paint((static_cast<std::size_t>(bits.next()) << 16 | bits.next()) % cast.material.size(), Material::orange);
 }
 
 }  // namespace robot::truth

@@ -19,12 +19,8 @@ class DisparityNoise {
   /// the intrinsics and the unit of `frame` are set. Different numbers give different noise.
   void measure(const Cast& cast, double depth_scale, std::uint64_t number, DepthFrame& frame) const;
 
-  /// Writes the colours that the sensor shows: shifted by a pixel to the right, since no registration is perfect. One pixel
-  /// of 20 of an orange ball has another colour, and one of 100,000 elsewhere is orange.
-  static void colour(const Cast& cast, std::uint64_t number, DepthFrame& frame);
-
  private:
-  /// Noise of deviation 1, equal to itself within about 3 px as block matching makes it. Tables are faster than draws.
+  /// Noise of deviation 1. Neighbours within 3 px are alike, as block matching makes them. A table is faster than draws.
   std::vector<float> correlated_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "robot/truth/synthetic/bodies.h"
+#include "robot/truth/synthetic/colours.h"
 
 namespace robot::truth {
 namespace {
@@ -24,12 +25,13 @@ Renderer::Renderer(const SensorPose& pose, const Surroundings& surroundings, Ren
 
 DepthFrame Renderer::render(const Scene& scene, std::uint64_t number) {
   draw_bodies(scene);
-  DepthFrame frame{.intrinsics = pose_.intrinsics};
+  DepthFrame frame;
+  frame.intrinsics = pose_.intrinsics;
   if (options_.noise)
     noise_.measure(cast_, pose_.depth_scale, number, frame);
   else
     measure_exactly(cast_, pose_.depth_scale, frame);
-  if (options_.colour) DisparityNoise::colour(cast_, number, frame);
+  if (options_.colour) paint(cast_, number, frame);
   return frame;
 }
 

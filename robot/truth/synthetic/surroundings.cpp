@@ -1,14 +1,14 @@
 #include "robot/truth/synthetic/surroundings.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace robot::truth {
 namespace {
 
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// The distances of places from the lines of a field.
+/// The lines of a field.
 class Lines {
  public:
   explicit Lines(const sim::field::Field& field)
@@ -21,65 +21,67 @@ class Lines {
                {static_cast<double>(field.penalty_area_length), static_cast<double>(field.penalty_area_width)}} {}
 
   /// Reports whether a place on the ground [m, field] is white. The lines are the same in all four quarters.
-  bool white(const Vector2d& place) const {
-    const Vector2d quarter = place.cwiseAbs();
-    if (near_box(quarter, {length_ / 2, width_ / 2})) return true;
-    if (quarter.x() < half_line_ && quarter.y() < width_ / 2) return true;
-    if (std::abs(quarter.norm() - circle_) < half_line_) return true;
-    if ((quarter - Vector2d(length_ / 2 - mark_, 0)).norm() < 2 * half_line_) return true;
-    for (const Vector2d& area : areas_)
-      if (area.x() > 0 && near_box({length_ / 2 - quarter.x(), quarter.y()}, {area.x(), area.y() / 2})) return true;
+  bool white(double x, double y) const {
+    x = std::abs(x), y = std::abs(y);
+    if (on_outline(x, y, length_ / 2, width_ / 2)) return true;
+    if (x < half_line_ && y < width_ / 2) return true;
+    if (std::abs(std::hypot(x, y) - circle_) < half_line_) return true;
+    if (std::hypot(x - length_ / 2 + mark_, y) < 2 * half_line_) return true;
+    for (const Area& area : areas_)
+      if (area.length > 0 && on_outline(length_ / 2 - x, y, area.length, area.width / 2)) return true;
     return false;
   }
 
  private:
-  /// Reports whether a place is on the outline of a box with one corner at the origin, on its two sides away from it.
-  bool near_box(const Vector2d& place, const Vector2d& corner) const {
-    const Vector2d beyond = place - corner;
-    if (place.x() < -half_line_ || beyond.maxCoeff() > half_line_) return false;
-    return beyond.maxCoeff() > -half_line_;
+  struct Area {
+    double length, width;
+  };
+
+  /// Reports whether a place is on the two sides, away from the origin, of a box between the origin and a corner.
+  bool on_outline(double x, double y, double corner_x, double corner_y) const {
+    const double beyond = std::max(x - corner_x, y - corner_y);
+    return x >= -half_line_ && std::abs(beyond) <= half_line_;
   }
 
   double half_line_, length_, width_, circle_, mark_;
-  Vector2d areas_[2];
+  Area areas_[2];
 };
 
-/// Casts rays at the floor and the walls.
+/// The floor and the walls, hit by rays from one place.
 class Hall {
  public:
-  Hall(const Surroundings& surroundings, const SensorPose& pose)
+  Hall(const Surroundings& surroundings, const Vector3d& eye)
       : lines_(surroundings.field),
-        carpet_(
-            Vector2d(static_cast<double>(surroundings.field.length), static_cast<double>(surroundings.field.width)) /
-                2 +
-            Vector2d::Constant(static_cast<double>(surroundings.field.border))),
+        carpet_x_(static_cast<double>(surroundings.field.length) / 2 + static_cast<double>(surroundings.field.border)),
+        carpet_y_(static_cast<double>(surroundings.field.width) / 2 + static_cast<double>(surroundings.field.border)),
         walls_(surroundings.walls),
-        pose_(pose) {}
+        eye_(eye) {}
 
-  /// Sets the depth and the material that a pixel shows.
-  void cast(double column, double row, float& depth, Material& material) const {
-    const Vector3d eye = pose_.field_from_sensor.translation();
-    const Vector3d ray = pose_.field_from_sensor.linear() * pose_.ray(column, row);
+  /// Sets the distance, in lengths of the ray [field], and the material that a ray meets.
+  void cast(const Vector3d& ray, float& distance, Material& material) const {
+    const double x = ray.x(), y = ray.y(), z = ray.z();
     double nearest = kFar;
-    if (ray.z() < 0) nearest = -eye.z() / ray.z(), material = floor_at((eye + nearest * ray).head<2>());
-    for (int axis = 0; walls_ > 0 && axis < 2; ++axis) {
-      const double wall = std::copysign(carpet_[axis] + walls_, ray[axis]);
-      const double distance = ray[axis] != 0 ? (wall - eye[axis]) / ray[axis] : 0;
-      if (distance > 0 && distance < nearest) nearest = distance, material = Material::wall;
-    }
-    depth = static_cast<float>(nearest);
+    if (z < 0) nearest = -eye_.z() / z, material = floor_at(eye_.x() + nearest * x, eye_.y() + nearest * y);
+    if (walls_ > 0)
+      for (const double wall : {distance_of_wall(eye_.x(), x, carpet_x_), distance_of_wall(eye_.y(), y, carpet_y_)})
+        if (wall > 0 && wall < nearest) nearest = wall, material = Material::wall;
+    distance = static_cast<float>(nearest);
   }
 
  private:
-  Material floor_at(const Vector2d& place) const {
-    if (((place.cwiseAbs() - carpet_).array() > 0).any()) return Material::wall;
-    return lines_.white(place) ? Material::line : Material::carpet;
+  /// Returns the distance of the wall beyond one end of the carpet, negative when it is behind the sensor.
+  double distance_of_wall(double eye, double ray, double carpet) const {
+    return ray != 0 ? (std::copysign(carpet + walls_, ray) - eye) / ray : -1;
+  }
+  Material floor_at(double x, double y) const {
+    if (std::abs(x) > carpet_x_ || std::abs(y) > carpet_y_) return Material::wall;
+    return lines_.white(x, y) ? Material::line : Material::carpet;
   }
 
   Lines lines_;
-  Vector2d carpet_;  // half of its size [m]
+  double carpet_x_, carpet_y_;  // half of its size [m]
   double walls_;
-  const SensorPose& pose_;
+  Vector3d eye_;  // [field]
 };
 
 void draw_goals(const sim::field::Field& field, const SensorPose& pose, Cast& cast) {
@@ -99,14 +101,18 @@ void draw_goals(const sim::field::Field& field, const SensorPose& pose, Cast& ca
 
 Cast cast_of(const Surroundings& surroundings, const SensorPose& pose) {
   const Intrinsics& image = pose.intrinsics;
-  const Hall hall(surroundings, pose);
+  const Hall hall(surroundings, pose.field_from_sensor.translation());
+  const Eigen::Matrix3d turned = pose.field_from_sensor.linear();
+  const Vector3d step = turned.col(0) / image.focal_x;
   Cast cast;
   cast.depth.assign(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), kFar);
   cast.material.assign(cast.depth.size(), Material::nothing);
   std::size_t pixel = 0;
-  for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column < image.width; ++column, ++pixel)
-      hall.cast(column + 0.5, row + 0.5, cast.depth[pixel], cast.material[pixel]);
+  for (int row = 0; row < image.height; ++row) {
+    Vector3d ray = turned * pose.ray(0.5, row + 0.5);
+    for (int column = 0; column < image.width; ++column, ++pixel, ray += step)
+      hall.cast(ray, cast.depth[pixel], cast.material[pixel]);
+  }
   if (surroundings.goals) draw_goals(surroundings.field, pose, cast);
   return cast;
 }

@@ -1,0 +1,33 @@
+// A field and small cameras for tests: a small image is drawn in a tenth of the time.
+#pragma once
+
+#include "robot/truth/synthetic/sensor_poses.h"
+#include "robot/truth/synthetic/surroundings.h"
+
+namespace robot::truth {
+
+/// The field of 2012 (sim/data/rules/spl2012.json).
+inline constexpr sim::field::Field kField2012{.length = 6,
+                                              .width = 4,
+                                              .border = 0.7F,
+                                              .line_width = 0.05F,
+                                              .centre_circle_radius = 0.6F,
+                                              .goal_area_length = 0.6F,
+                                              .goal_area_width = 2.2F,
+                                              .penalty_area_length = 0,
+                                              .penalty_area_width = 0,
+                                              .penalty_mark = 1.8F,
+                                              .goal_width = 1.4F,
+                                              .goal_depth = 0.5F,
+                                              .post_radius = 0.05F};
+inline constexpr Surroundings kHall{.field = kField2012};
+
+/// A camera with the view of a Kinect and a quarter of its pixels in each direction.
+inline constexpr Intrinsics kSmall{
+    .width = 160, .height = 120, .focal_x = 143.95, .focal_y = 143.95, .centre_x = 80, .centre_y = 60};
+
+/// The same with half of the pixels in each direction.
+inline constexpr Intrinsics kHalf{
+    .width = 320, .height = 240, .focal_x = 287.9, .focal_y = 287.9, .centre_x = 160, .centre_y = 120};
+
+}  // namespace robot::truth
