@@ -13,9 +13,10 @@
 namespace robot::truth {
 namespace {
 
-constexpr double kOneRobot = 0.2;     // [m] two robots cannot be so close; a robot split in two is one
-constexpr double kDoubted = 0.5;      // [s] unseen: it may be another one
-constexpr double kLongestStep = 0.2;  // [s] for which one own pose counts
+constexpr double kOneRobot = 0.2;       // [m] two robots cannot be so close; a robot split in two is one
+constexpr double kDoubted = 0.5;        // [s] unseen: it may be another one
+constexpr double kLongestInterval = 1;  // [s] between images; a longer one is a gap
+constexpr double kLongestStep = 0.2;    // [s] for which one own pose counts
 
 void see_tag(Scene& scene, RobotTrack& robot, const SeenRobot& seen, const OwnPoses& poses) {
   if (seen.heading) {
@@ -138,7 +139,9 @@ void Fusion::add_robots(Scene& scene, const SensorImage& image, const OwnPoses& 
 void Fusion::advance(Scene& scene, const SensorImage& image, OwnPoses& poses) {
   const double dt = scene.now_ns == 0 ? 0 : seconds_between(scene.now_ns, image.detections.capture_ns);
   scene.now_ns = image.detections.capture_ns;
-  scene.image_ns[image.sensor] = scene.now_ns;
+  std::uint64_t& newest_ns = scene.image_ns[image.sensor];
+  scene.interval = newest_ns == 0 ? 0 : std::min(seconds_between(newest_ns, scene.now_ns), kLongestInterval);
+  newest_ns = scene.now_ns;
   scene.detected_ns[image.sensor] = image.detections.detected_ns;
   for (const SeenRobot& seen : image.detections.robots)
     if (seen.team && seen.player) (void)poses.find_or_add(*seen.team, *seen.player);

@@ -15,7 +15,8 @@ namespace {
 constexpr double kDetectorError = 0.05;  // [m] a sensor that disagrees this much still means the same robot
 constexpr double kNewCost = 7.8;         // false and new robots: 0.0004 for each m² and image
 constexpr double kTagGain = 10;
-constexpr double kHiddenAfter = 0.1;  // [s]
+constexpr double kHiddenAfter = 0.1;   // [s]
+constexpr double kHiddenImages = 2.5;  // images
 
 }  // namespace
 
@@ -44,7 +45,8 @@ std::optional<std::size_t> tagged_player(const SeenRobot& seen, const OwnPoses& 
 }
 
 bool hidden(const Scene& scene, const RobotTrack& robot) {
-  return robot.sightings.track != 0 && seconds_between(robot.sightings.newest_ns, scene.now_ns) > kHiddenAfter;
+  const double unseen = seconds_between(robot.sightings.newest_ns, scene.now_ns);
+  return robot.sightings.track != 0 && unseen > std::max(kHiddenAfter, kHiddenImages * scene.interval);
 }
 
 }  // namespace robot::truth

@@ -18,7 +18,7 @@ double identity_cost(const Scene& scene, const RobotTrack& robot, const SeenRobo
 /// Returns the index of the player whose tag was read, or nothing.
 std::optional<std::size_t> tagged_player(const SeenRobot& seen, const OwnPoses& poses);
 
-/// Reports whether a confirmed robot was not seen for more than 0.1 s.
+/// Reports whether a confirmed robot was not seen for more than 0.1 s, and in the two images before this one.
 bool hidden(const Scene& scene, const RobotTrack& robot);
 
 }  // namespace robot::truth
