@@ -1,242 +1,246 @@
 #include "tests/bench/truth_tracks.h"
 
-#include <Eigen/LU>
-#include <chrono>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <ctime>
 #include <map>
-#include <set>
+#include <utility>
 
 #include "robot/core/text.h"
-#include "robot/truth/tracks/motion.h"
 #include "robot/truth/tracks/smoother.h"
 #include "robot/truth/tracks/tracker.h"
 #include "tests/support/truth_game.h"
-
-using namespace robot::truth;
-using robot::formatted;
-using test::Localisation;
-using test::Random;
-using test::TruthGame;
-using test::Watcher;
+#include "tests/support/truth_walk.h"
 
 namespace {
 
-constexpr std::uint64_t kBegin = 1'700'000'000'000'000'000, kImage = 33'333'333;  // [ns]
+using namespace robot::truth;
+using robot::formatted;
 
-std::uint64_t time_of(std::size_t image) { return kBegin + image * kImage; }
+constexpr std::size_t kTenMinutes = 18000;                                           // images
+constexpr std::uint64_t kBegin = 1'700'000'000'000'000'000, kInterval = 33'333'333;  // [ns]
+constexpr std::size_t kRobots = 8;
 
-struct Rms {
-  double squares = 0;
-  std::size_t count = 0;
-  void add(const Eigen::Vector2d& error) { squares += error.squaredNorm(), ++count; }
-  double value() const { return std::sqrt(squares / static_cast<double>(count)); }
-};
-
-/// Mean of normalised squared errors of two numbers, relative to the expected 2; 1: honest.
-struct Honesty {
-  double sum = 0;
-  std::size_t count = 0, within = 0;
-  void add(const Eigen::Vector2d& error, const Eigen::Matrix2d& covariance) {
-    const double squared = error.dot(covariance.inverse() * error);
-    sum += squared / 2;
-    ++count;
-    within += squared <= 5.99;
-  }
-  double value() const { return sum / static_cast<double>(count); }
-  double coverage() const { return static_cast<double>(within) / static_cast<double>(count); }
-};
-
+/// A game with the images of one sensor, one each step.
 struct Recorded {
   std::vector<SensorImage> images;
-  std::vector<std::vector<test::Mover>> robots;  // by image
+  std::vector<std::vector<test::Mover>> robots;
   std::vector<test::Mover> balls;
-  std::vector<double> since_kick;
-  std::vector<OwnPose> poses;
+  std::vector<bool> kicked;    // a kick or rebound came since the image before
+  std::vector<OwnPose> poses;  // kRobots for each image
 };
 
-Recorded recorded(std::uint32_t seed, std::size_t steps, std::vector<Watcher> watchers) {
+Recorded recorded(std::uint32_t seed, std::size_t steps, test::Watcher watcher) {
   Recorded all;
-  TruthGame game(seed);
-  Random random(seed + 1000);
-  Localisation localisation(seed + 2000);
+  test::TruthGame game(seed);
+  test::Random random(seed + 1000);
+  test::Localisation localisation(seed + 2000);
   for (std::size_t i = 0; i < steps; ++i) {
     game.step();
-    for (std::size_t sensor = 0; sensor < watchers.size(); ++sensor) {
-      all.images.push_back({sensor, watchers[sensor].look(game, time_of(i), random)});
-      all.robots.push_back(game.robots());
-      all.balls.push_back(game.ball());
-      all.since_kick.push_back(game.since_kick());
-    }
-    for (const OwnPose& pose : localisation.poses(game, time_of(i))) all.poses.push_back(pose);
+    const std::uint64_t time = kBegin + i * kInterval;
+    all.images.push_back({0, watcher.look(game, time, random)});
+    all.robots.push_back(game.robots());
+    all.balls.push_back(game.ball());
+    all.kicked.push_back(game.since_kick() == 0);
+    for (const OwnPose& pose : localisation.poses(game, time)) all.poses.push_back(pose);
   }
   return all;
 }
 
-const FusedRobot* nearest(const FusedTruth& truth, const Eigen::Vector2d& place) {
+std::vector<FusedTruth> tracked(const Recorded& game, bool with_poses) {
+  std::vector<FusedTruth> truths;
+  Tracker tracker({Sensor{}});
+  for (std::size_t i = 0; i < game.images.size(); ++i) {
+    for (std::size_t robot = 0; with_poses && robot < kRobots; ++robot)
+      (void)tracker.identify(game.poses[kRobots * i + robot]);
+    (void)tracker.add(game.images[i]);
+    truths.push_back(tracker.truth());
+  }
+  return truths;
+}
+
+class Rms {
+ public:
+  void add(const Eigen::Vector2d& error) {
+    squares_ += error.squaredNorm();
+    ++count_;
+  }
+  double value() const { return std::sqrt(squares_ / static_cast<double>(count_)); }
+
+ private:
+  double squares_ = 0;
+  std::size_t count_ = 0;
+};
+
+double velocity_error(const Recorded& game, const std::vector<FusedTruth>& truths) {
+  Rms rms;
+  for (std::size_t i = 0; i + 1 < truths.size(); ++i) {
+    const bool contact = game.kicked[i] || game.kicked[i + 1];
+    if (truths[i].ball && !contact && game.balls[i].velocity.norm() > 0.05)
+      rms.add(truths[i].ball->place.velocity - game.balls[i].velocity);
+  }
+  return rms.value();
+}
+
+/// Returns the share of kicks that the truth follows 0, 1, 2 and 3 images after the first one behind the contact.
+std::array<double, 4> followed_share(const Recorded& game, const std::vector<FusedTruth>& truths) {
+  std::array<double, 4> share{};
+  double kicks = 0;
+  for (std::size_t i = 0; i + share.size() < truths.size(); ++i) {
+    if (!game.kicked[i] || game.balls[i].velocity.norm() < 0.7) continue;
+    ++kicks;
+    for (std::size_t later = 0; later < share.size(); ++later) {
+      const std::optional<FusedBall>& ball = truths[i + later].ball;
+      const Eigen::Vector2d velocity = game.balls[i + later].velocity;
+      share[later] += ball && (ball->place.velocity - velocity).norm() < 0.3 * velocity.norm();
+    }
+  }
+  for (double& part : share) part /= kicks;
+  return share;
+}
+
+const FusedRobot* robot_at(const FusedTruth& truth, const Eigen::Vector2d& place) {
   const FusedRobot* found = nullptr;
-  double least = 0.15;
+  double least = 0.15;  // [m] half the distance of two robots
   for (const FusedRobot& robot : truth.robots)
-    if (const double away = (robot.place.position - place).norm(); away < least) least = away, found = &robot;
+    if (const double away = (robot.place.position - place).norm(); away < least) {
+      least = away;
+      found = &robot;
+    }
   return found;
 }
 
-struct Identities {
-  std::map<std::size_t, std::uint32_t> tracks, players;
-  int track_switches = 0, player_switches = 0;
-  std::size_t named = 0, wrong = 0, seen = 0;
-
-  void add(const FusedTruth& truth, const std::vector<test::Mover>& robots) {
-    for (std::size_t i = 0; i < robots.size(); ++i) {
-      const FusedRobot* robot = nearest(truth, robots[i].position);
-      if (!robot) continue;
-      ++seen;
-      auto [track, is_new] = tracks.try_emplace(i, robot->place.track);
-      track_switches += !is_new && track->second != robot->place.track;
-      track->second = robot->place.track;
-      if (!robot->player) continue;
-      const std::uint32_t number = 10 * *robot->team + *robot->player;
-      const std::uint32_t right = i < 4 ? static_cast<std::uint32_t>(11 + i) : static_cast<std::uint32_t>(17 + i);
-      ++named;
-      wrong += number != right;
-      auto [player, first] = players.try_emplace(i, number);
-      player_switches += !first && player->second != number;
-      player->second = number;
-    }
-  }
+/// The numbers that one robot has had.
+struct Switches {
+  int tracks = 0, players = 0;
+  double named = 0, wrong = 0, seen = 0;  // counts
 };
 
-Identities identities(const Recorded& game, bool with_poses, bool smoothing) {
-  Identities result;
-  if (smoothing) {
-    const auto truths = smooth({Sensor{}}, game.images, with_poses ? game.poses : std::vector<OwnPose>{});
-    for (std::size_t i = 0; i < truths->size(); ++i) result.add((*truths)[i], game.robots[i]);
-    return result;
+Switches switches_of(const Recorded& game, const std::vector<FusedTruth>& truths) {
+  Switches all;
+  std::map<std::size_t, std::uint32_t> tracks, players;
+  const auto changes = [](auto& numbers, std::size_t robot, std::uint32_t number) {
+    const auto [known, is_new] = numbers.try_emplace(robot, number);
+    return !is_new && std::exchange(known->second, number) != number;
+  };
+  for (std::size_t i = 0; i < truths.size(); ++i)
+    for (std::size_t robot = 0; robot < kRobots; ++robot) {
+      const FusedRobot* found = robot_at(truths[i], game.robots[i][robot].position);
+      if (!found) continue;
+      ++all.seen;
+      all.tracks += changes(tracks, robot, found->place.track);
+      if (!found->player) continue;
+      ++all.named;
+      all.wrong += found->team != game.poses[robot].team || found->player != game.poses[robot].player;
+      all.players += changes(players, robot, 10 * *found->team + *found->player);
+    }
+  return all;
+}
+
+struct Honesty {
+  double online = 0, smoothed = 0;
+};
+
+/// Returns mean normalised squared errors of walks, in the middle of each.
+Honesty honesty_of(const std::vector<double>& deviations, int walks, test::Random& random) {
+  Honesty mean;
+  for (int i = 0; i < walks; ++i) {
+    const test::Walk walk = test::walk_of(deviations, 60, random);
+    mean.online += test::normalised_error(walk.online[30], walk.truth[30]) / walks;
+    mean.smoothed += test::normalised_error(test::smoothed_walk(walk)[30], walk.truth[30]) / walks;
   }
-  Tracker tracker({Sensor{}});
-  for (std::size_t i = 0; i < game.images.size(); ++i) {
-    if (with_poses)
-      for (std::size_t player = 0; player < 8; ++player) (void)tracker.identify(game.poses[8 * i + player]);
-    (void)tracker.add(game.images[i]);
-    result.add(tracker.truth(), game.robots[i]);
+  return mean;
+}
+
+/// Returns the measured variance of the places of walks [m²].
+double variance_of(const std::vector<double>& deviations, int walks, test::Random& random) {
+  Rms rms;
+  for (int i = 0; i < walks; ++i) {
+    const test::Walk walk = test::walk_of(deviations, 30, random);
+    rms.add((walk.online.back().mean - walk.truth.back()).head<2>());
   }
-  return result;
+  return rms.value() * rms.value() / 2;
+}
+
+std::pair<double, double> robot_errors_of(const Recorded& game, const std::vector<FusedTruth>& truths) {
+  Rms place, velocity;
+  for (std::size_t i = 0; i < truths.size(); ++i)
+    for (const test::Mover& robot : game.robots[i])
+      if (const FusedRobot* found = robot_at(truths[i], robot.position)) {
+        place.add(found->place.position - robot.position);
+        velocity.add(found->place.velocity - robot.velocity);
+      }
+  return {place.value(), velocity.value()};
 }
 
 }  // namespace
 
 std::string kicked_ball() {
-  Watcher watcher;
+  test::Watcher watcher;
   watcher.misses = 0.05;
-  const Recorded game = recorded(1, 18000, {watcher});
-  Rms online, smoothed, all, position;
-  Honesty velocity, place, online_velocity;
-  int lag[4] = {}, kicks = 0;
-  const auto truths = smooth({Sensor{}}, game.images);
-  Tracker tracker({Sensor{}});
-  for (std::size_t i = 0; i + 1 < game.images.size(); ++i) {
-    (void)tracker.add(game.images[i]);
-    const FusedTruth now = tracker.truth();
-    // a velocity is undefined within the contact
-    const bool contact = game.since_kick[i] < 0.02 || game.since_kick[i + 1] < 0.02;
-    if (game.since_kick[i] == 0 && game.balls[i].velocity.norm() > 0.7) {
-      ++kicks;
-      for (std::size_t n = 0; n < 4 && i + n < game.images.size(); ++n) {
-        // judged after the loop's own tracker has seen them: a copy looks ahead
-        Tracker ahead({Sensor{}});
-        for (std::size_t k = i < 60 ? 0 : i - 60; k <= i + n; ++k) (void)ahead.add(game.images[k]);
-        const FusedTruth truth = ahead.truth();
-        lag[n] += truth.ball && (truth.ball->place.velocity - game.balls[i + n].velocity).norm() <
-                                    0.3 * game.balls[i + n].velocity.norm();
-      }
-    }
-    if (now.ball && !contact && game.balls[i].velocity.norm() > 0.05) {
-      online.add(now.ball->place.velocity - game.balls[i].velocity);
-      online_velocity.add(now.ball->place.velocity - game.balls[i].velocity, now.ball->place.velocity_covariance);
-    }
-    if (const auto& ball = (*truths)[i].ball) {
-      all.add(ball->place.velocity - game.balls[i].velocity);
-      if (contact) continue;
-      if (game.balls[i].velocity.norm() > 0.05) {
-        smoothed.add(ball->place.velocity - game.balls[i].velocity);
-        velocity.add(ball->place.velocity - game.balls[i].velocity, ball->place.velocity_covariance);
-      }
-      position.add(ball->place.position - game.balls[i].position);
-      place.add(ball->place.position - game.balls[i].position, ball->place.covariance);
-    }
-  }
+  const Recorded game = recorded(1, kTenMinutes, watcher);
+  const std::vector<FusedTruth> online = tracked(game, false);
+  const std::array<double, 4> followed = followed_share(game, online);
   return formatted(
-      R"({"part":"kicked ball","kicks":%d,"online_rms":%.4f,"smoothed_rms":%.4f,"with_contacts_rms":%.4f,"position_rms":%.4f,)"
-      R"("followed_after":[%d,%d,%d,%d],"honesty_velocity":%.3f,"honesty_place":%.3f,"coverage_velocity":%.3f,"online_honesty":%.3f,"online_coverage":%.3f})",
-      kicks, online.value(), smoothed.value(), all.value(), position.value(), lag[0], lag[1], lag[2], lag[3],
-      velocity.value(), place.value(), velocity.coverage(), online_velocity.value(), online_velocity.coverage());
+      R"({"part":"kicked ball","online_rms":%.4f,"smoothed_rms":%.4f,"followed_share":[%.2f,%.2f,%.2f,%.2f]})",
+      velocity_error(game, online), velocity_error(game, *smooth({Sensor{}}, game.images)), followed[0], followed[1],
+      followed[2], followed[3]);
 }
 
 std::string identity_switches() {
-  std::string lines;
-  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
-    const Recorded game = recorded(seed, 18000, {Watcher{}});
-    const Identities without = identities(game, false, false), with = identities(game, true, false),
-                     after = identities(game, false, true), both = identities(game, true, true);
-    lines += formatted(
-        R"({"part":"identity","seed":%u,"track_switches":%d,"with_poses_track":%d,"with_poses_player":%d,"named":%.4f,"wrong":%.5f,)"
-        R"("smoothed_track":%d,"smoothed_player":%d,"smoothed_named":%.4f,"smoothed_wrong":%.5f,"seen":%zu})"
-        "\n",
-        seed, without.track_switches, with.track_switches, with.player_switches,
-        static_cast<double>(with.named) / static_cast<double>(with.seen),
-        static_cast<double>(with.wrong) / static_cast<double>(with.named), after.track_switches, both.player_switches,
-        static_cast<double>(both.named) / static_cast<double>(both.seen),
-        static_cast<double>(both.wrong) / static_cast<double>(both.named), with.seen);
+  int tracks = 0, players = 0, smoothed_players = 0;
+  double named = 1, wrong = 0;
+  for (const std::uint32_t seed : {1u, 2u, 3u}) {
+    const Recorded game = recorded(seed, kTenMinutes, {});
+    const Switches with_poses = switches_of(game, tracked(game, true));
+    tracks = std::max(tracks, switches_of(game, tracked(game, false)).tracks);
+    players = std::max(players, with_poses.players);
+    smoothed_players =
+        std::max(smoothed_players, switches_of(game, *smooth({Sensor{}}, game.images, game.poses)).players);
+    named = std::min(named, with_poses.named / with_poses.seen);
+    wrong = std::max(wrong, with_poses.wrong / with_poses.named);
   }
-  lines.pop_back();
-  return lines;
+  return formatted(
+      R"({"part":"identity switches","of_tracks":%d,"of_players":%d,"smoothed_of_players":%d,"named_share":%.3f,"wrong_share":%.5f})",
+      tracks, players, smoothed_players, named, wrong);
 }
 
 std::string consistency() {
-  Honesty online_place, online_velocity, place, velocity;
-  Rms one_rms, two_rms, one_smooth, two_smooth, vel_online, vel_smooth;
-  const Recorded game = recorded(5, 9000, {Watcher{}});
-  const auto truths = smooth({Sensor{}}, game.images);
-  Tracker tracker({Sensor{}});
-  for (std::size_t i = 0; i < game.images.size(); ++i) {
-    (void)tracker.add(game.images[i]);
-    const FusedTruth now = tracker.truth();
-    for (const test::Mover& robot : game.robots[i]) {
-      if (const FusedRobot* found = nearest(now, robot.position)) {
-        online_place.add(found->place.position - robot.position, found->place.covariance);
-        online_velocity.add(found->place.velocity - robot.velocity, found->place.velocity_covariance);
-        one_rms.add(found->place.position - robot.position);
-        vel_online.add(found->place.velocity - robot.velocity);
-      }
-      if (const FusedRobot* found = nearest((*truths)[i], robot.position)) {
-        place.add(found->place.position - robot.position, found->place.covariance);
-        velocity.add(found->place.velocity - robot.velocity, found->place.velocity_covariance);
-        one_smooth.add(found->place.position - robot.position);
-        vel_smooth.add(found->place.velocity - robot.velocity);
-      }
-    }
-  }
+  constexpr int walks = 2000;
+  test::Random random(5);
+  const Honesty one = honesty_of({0.03}, walks, random), two = honesty_of({0.02, 0.04}, walks, random);
+  const double ratio = variance_of({0.05, 0.05}, walks, random) / variance_of({0.05}, walks, random);
+  const Recorded game = recorded(5, kTenMinutes / 2, {});
+  const auto [place, velocity] = robot_errors_of(game, tracked(game, false));
+  const auto [smoothed_place, smoothed_velocity] = robot_errors_of(game, *smooth({Sensor{}}, game.images));
   return formatted(
-      R"({"part":"consistency of a game","online_place":%.3f,"online_velocity":%.3f,"smoothed_place":%.3f,"smoothed_velocity":%.3f,)"
-      R"("coverage":[%.3f,%.3f,%.3f,%.3f],"online_rms":%.4f,"smoothed_rms":%.4f,"velocity_online":%.4f,"velocity_smoothed":%.4f})",
-      online_place.value(), online_velocity.value(), place.value(), velocity.value(), online_place.coverage(),
-      online_velocity.coverage(), place.coverage(), velocity.coverage(), one_rms.value(), one_smooth.value(),
-      vel_online.value(), vel_smooth.value());
+      R"({"part":"consistency","band":%.3f,"online":[%.3f,%.3f],"smoothed":[%.3f,%.3f],"two_sensors":%.3f,)"
+      R"("robots_rms":%.4f,"robots_smoothed_rms":%.4f,"speed_rms":%.4f,"speed_smoothed_rms":%.4f})",
+      1.96 * std::sqrt(8. / walks), one.online, two.online, one.smoothed, two.smoothed, ratio, place, smoothed_place,
+      velocity, smoothed_velocity);
 }
 
-std::string cost() {
-  const Recorded game = recorded(7, 3000, {Watcher{}, Watcher{}});
+std::string cost_of_an_image() {
+  test::Watcher watcher;
+  watcher.occlusions = false;
+  Recorded game = recorded(7, 3000, watcher);
   Tracker tracker({Sensor{}, Sensor{}});
-  std::size_t robots = 0;
-  const auto begin = std::chrono::steady_clock::now();
-  for (const SensorImage& image : game.images) {
-    SensorImage more = image;
-    for (double y : {-2.8, 2.8})
-      more.detections.robots.push_back({.place = {{0.1, y}, 4e-4 * Eigen::Matrix2d::Identity()}, .height = 0.5});
-    (void)tracker.add(more);
-    robots += tracker.truth().robots.size();
+  std::size_t robots = 0, images = 0;
+  const std::clock_t begin = std::clock();
+  for (SensorImage& image : game.images) {
+    for (const double y : {-2.8, 2.8}) {
+      image.detections.robots.push_back(image.detections.robots.front());
+      image.detections.robots.back().place.position = {0.1, y};
+    }
+    for (const std::size_t sensor : {0u, 1u}) {
+      image.sensor = sensor;
+      (void)tracker.add(image);
+      robots += tracker.truth().robots.size();
+      ++images;
+    }
   }
-  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
-  const auto images = static_cast<double>(game.images.size());
-  return formatted(R"({"part":"cost","ms_per_image":%.4f,"robots":%.2f})", time.count() / images,
-                   static_cast<double>(robots) / images);
+  const double time = 1000. * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;  // [ms]
+  return formatted(R"({"part":"cost","ms_per_image":%.4f,"robots":%.2f})", time / static_cast<double>(images),
+                   static_cast<double>(robots) / static_cast<double>(images));
 }

@@ -5,5 +5,5 @@
 #include "tests/bench/truth_tracks.h"
 
 int main() {
-  for (const auto& part : {kicked_ball, identity_switches, consistency, cost}) std::puts(part().c_str());
+  for (const auto& part : {kicked_ball, identity_switches, consistency, cost_of_an_image}) std::puts(part().c_str());
 }

@@ -22,14 +22,23 @@ std::size_t Assignment::nearest_free(const CostTable& table, std::size_t column)
   for (std::size_t other = 1; other <= table.columns; ++other) {
     if (visited_[other]) continue;
     const double reduced = table.at(row - 1, other - 1) - row_price_[row] - column_price_[other];
-    if (reduced < slack_[other]) slack_[other] = reduced, came_from_[other] = column;
-    if (slack_[other] < rise) rise = slack_[other], nearest = other;
+    if (reduced < slack_[other]) {
+      slack_[other] = reduced;
+      came_from_[other] = column;
+    }
+    if (slack_[other] < rise) {
+      rise = slack_[other];
+      nearest = other;
+    }
   }
-  for (std::size_t other = 0; other <= table.columns; ++other)
-    if (visited_[other])
-      row_price_[row_of_[other]] += rise, column_price_[other] -= rise;
-    else
+  for (std::size_t other = 0; other <= table.columns; ++other) {
+    if (visited_[other]) {
+      row_price_[row_of_[other]] += rise;
+      column_price_[other] -= rise;
+    } else {
       slack_[other] -= rise;
+    }
+  }
   return nearest;
 }
 
@@ -39,8 +48,9 @@ void Assignment::add_row(const CostTable& table, std::size_t row) {
   visited_.assign(table.columns + 1, 0);
   row_of_[0] = row;
   std::size_t column = 0;
-  do column = nearest_free(table, column);
-  while (row_of_[column] != 0);
+  do {
+    column = nearest_free(table, column);
+  } while (row_of_[column] != 0);
 
   // each row on the path moves to the next column
   for (; column != 0; column = came_from_[column]) row_of_[column] = row_of_[came_from_[column]];

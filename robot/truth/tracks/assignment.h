@@ -13,7 +13,8 @@ struct CostTable {
 
   /// Makes the table this large, with all costs 0. Keeps its memory.
   void reset(std::size_t new_rows, std::size_t new_columns) {
-    rows = new_rows, columns = new_columns;
+    rows = new_rows;
+    columns = new_columns;
     costs.assign(rows * columns, 0);
   }
   double& at(std::size_t row, std::size_t column) { return costs[row * columns + column]; }

@@ -16,16 +16,15 @@ bool took(BallTrack& ball, const std::vector<Sensor>& sensors, const Measurement
   ball.paths_ns = now_ns;
   ball.measurement = measurement;
   const BallPaths::Path& best = ball.paths.paths()[0];
-  ball.sightings.shared = ball_errors(sensors, best.estimate.position());
-  if (best.event != BallEvent::not_a_ball) ball.sightings.see(measurement, best.estimate.velocity(), now_ns);
+  if (best.event != BallEvent::not_a_ball)
+    ball.sightings.see(measurement, ball_errors(sensors, best.estimate.position()), best.estimate.velocity(), now_ns);
   return true;
 }
 
 BallTrack begun(Scene& scene, const std::vector<Sensor>& sensors, const Measurement& measurement) {
-  Sightings sightings = Sightings::begun(++scene.serials, measurement, scene.now_ns);
-  sightings.shared = ball_errors(sensors, measurement.place.position);
-  const BallPaths paths(measurement, sightings.shared);
-  return {sightings, paths, scene.now_ns, measurement};
+  const SharedErrors shared = ball_errors(sensors, measurement.place.position);
+  return {Sightings::begun(++scene.serials, measurement, shared, scene.now_ns), BallPaths(measurement, shared),
+          scene.now_ns, measurement};
 }
 
 void accept_new_ball(Scene& scene) {

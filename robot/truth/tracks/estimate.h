@@ -37,8 +37,8 @@ struct Step {
   Eigen::Matrix4d transition = Eigen::Matrix4d::Identity();
   Eigen::Vector4d shift = Eigen::Vector4d::Zero();
   Eigen::Matrix4d noise = Eigen::Matrix4d::Zero();
-  double offsets_kept = 1;         // factor
-  SharedErrors offset_noise = {};  // [m²]
+  double offsets_kept = 1;                  // factor
+  SharedErrors offset_noise = no_errors();  // [m²]
 };
 
 /// The place where a sensor is expected to find the thing, with the covariance of that expectation.

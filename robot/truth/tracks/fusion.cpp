@@ -1,68 +1,30 @@
 #include "robot/truth/tracks/fusion.h"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "robot/truth/tracks/ball_fusion.h"
 #include "robot/truth/tracks/gates.h"
 #include "robot/truth/tracks/identity.h"
 #include "robot/truth/tracks/motion.h"
 #include "robot/truth/tracks/posture.h"
+#include "robot/truth/tracks/robot_costs.h"
 #include "robot/truth/tracks/times.h"
 
 namespace robot::truth {
 namespace {
 
-constexpr double kDetectorError = 0.05;  // [m] a sensor that disagrees this much still means the same robot
-constexpr double kOneRobot = 0.2;        // [m] two robots cannot be so close; a robot split in two is one
-constexpr double kOccluded = 0.1;        // [s] unseen: its own pose helps to find it again
-constexpr double kDoubted = 0.5;         // [s] unseen: it may be another one
-constexpr double kLongestStep = 0.2;     // [s] for which one own pose counts
+constexpr double kOneRobot = 0.2;       // [m] two robots cannot be so close; a robot split in two is one
+constexpr double kDoubted = 0.5;        // [s] unseen: it may be another one
+constexpr double kLongestInterval = 1;  // [s] between images; a longer one is a gap
+constexpr double kLongestStep = 0.2;    // [s] for which one own pose counts
 
-// costs are negative logarithms of densities and probabilities
-constexpr double kMissCost = 2.3;  // a robot is hidden or overlooked in one image of ten
-constexpr double kNewCost = 7.8;   // false and new robots: 0.0004 for each m² and image
-constexpr double kTagGain = 10;
-constexpr double kImpossible = 1e6;
-
-std::optional<std::size_t> tagged_player(const SeenRobot& seen, OwnPoses& poses) {
-  return seen.team && seen.player ? poses.index_of(*seen.team, *seen.player) : std::nullopt;
-}
-
-/// Returns the cost of a place alone, or kImpossible.
-double place_cost(const Place& expected, const Place& seen) {
-  const Eigen::Vector2d apart = seen.position - expected.position;
-  const Eigen::Matrix2d covariance =
-      expected.covariance + seen.covariance + kDetectorError * kDetectorError * Eigen::Matrix2d::Identity();
-  const double distance = apart.dot(covariance.inverse() * apart);
-  if (distance > kGate) return kImpossible;
-  return 0.5 * distance + 0.5 * std::log(covariance.determinant()) + std::log(2 * std::numbers::pi) - kNewCost;
-}
-
-/// Returns the cost that tag and own pose add if the robot is the seen one.
-double identity_cost(const Scene& scene, const RobotTrack& robot, const SeenRobot& seen, OwnPoses& poses) {
-  const std::optional<std::size_t> player = player_of(scene, robot);
-  if (!player) return 0;
-  if (const auto tag = tagged_player(seen, poses)) return *tag == *player ? -kTagGain : kImpossible;
-  if (seconds_between(robot.sightings.newest_ns, scene.now_ns) <= kOccluded) return 0;
-  const OwnPose* pose = poses.players()[*player].at(scene.now_ns);
-  // a robot that comes back far from its own pose is likely another one; the opposite proves little
-  return pose ? std::max(0., -evidence_of(*pose, seen.place.position, seen.place.covariance)) : 0;
-}
-
-void see_tag(Scene& scene, RobotTrack& robot, const SeenRobot& seen, OwnPoses& poses) {
+void see_tag(Scene& scene, RobotTrack& robot, const SeenRobot& seen, const OwnPoses& poses) {
   if (seen.heading) {
     robot.heading = seen.heading;
     robot.heading_deviation = seen.heading_deviation;
     robot.heading_ns = scene.now_ns;
   }
   if (const auto player = tagged_player(seen, poses)) identify_by_tag(scene, *player, robot);
-}
-
-bool hidden(const Scene& scene, const RobotTrack& robot) {
-  return robot.sightings.track != 0 && seconds_between(robot.sightings.newest_ns, scene.now_ns) > kOccluded;
 }
 
 /// Compares a robot that comes back with all others that are hidden.
@@ -78,12 +40,12 @@ void doubt_identity(Scene& scene, RobotTrack& robot, const Measurement& measurem
 }
 
 void see_again(Scene& scene, const std::vector<Sensor>& sensors, RobotTrack& robot, const SeenRobot& seen,
-               std::size_t sensor, OwnPoses& poses) {
+               std::size_t sensor, const OwnPoses& poses) {
   const Measurement measurement{sensor, seen.place};
   doubt_identity(scene, robot, measurement);
   correct(robot.estimate, measurement, kGate);
-  robot.sightings.shared = robot_errors(sensors, robot.estimate.position());
-  robot.sightings.see(measurement, robot.estimate.velocity(), scene.now_ns);
+  robot.sightings.see(measurement, robot_errors(sensors, robot.estimate.position()), robot.estimate.velocity(),
+                      scene.now_ns);
   if (robot.sightings.track == 0 && robot.sightings.proved()) robot.sightings.track = ++scene.robots_born;
   robot.posture = judged(robot.posture, seen.height);
   see_tag(scene, robot, seen, poses);
@@ -112,7 +74,7 @@ void forget_lost_robots(Scene& scene) {
 
 }  // namespace
 
-void Fusion::fill_costs(const Scene& scene, const SensorImage& image, OwnPoses& poses) {
+void Fusion::fill_costs(const Scene& scene, const SensorImage& image, const OwnPoses& poses) {
   const std::vector<SeenRobot>& seen = image.detections.robots;
   costs_.reset(candidates_.size(), seen.size() + candidates_.size());
   for (std::size_t row = 0; row < candidates_.size(); ++row) {
@@ -140,7 +102,7 @@ void Fusion::leave_out_seen(const Scene& scene, const SensorImage& image) {
     if (beside_a_seen_robot(scene, image, image.detections.robots[i].place.position)) taken_[i] = 1;
 }
 
-void Fusion::match(Scene& scene, const SensorImage& image, OwnPoses& poses, Rank rank) {
+void Fusion::match(Scene& scene, const SensorImage& image, const OwnPoses& poses, Rank rank) {
   candidates_.clear();
   for (std::size_t i = 0; i < scene.robots.size(); ++i)
     if (rank_of(scene, scene.robots[i]) == rank && !seen_in(image, scene.robots[i])) candidates_.push_back(i);
@@ -160,14 +122,14 @@ void Fusion::match(Scene& scene, const SensorImage& image, OwnPoses& poses, Rank
   }
 }
 
-void Fusion::add_robots(Scene& scene, const SensorImage& image, OwnPoses& poses) const {
+void Fusion::add_robots(Scene& scene, const SensorImage& image, const OwnPoses& poses) const {
   for (std::size_t i = 0; i < image.detections.robots.size() && scene.robots.size() < kMostRobots; ++i) {
     const SeenRobot& seen = image.detections.robots[i];
     if (taken_[i]) continue;
     const Measurement measurement{image.sensor, seen.place};
-    RobotTrack robot{.sightings = Sightings::begun(++scene.serials, measurement, scene.now_ns), .estimate = {}};
-    robot.sightings.shared = robot_errors(sensors_, seen.place.position);
-    robot.estimate = first_estimate(measurement, robot.sightings.shared, kRobotSpeed);
+    const SharedErrors shared = robot_errors(sensors_, seen.place.position);
+    RobotTrack robot{.sightings = Sightings::begun(++scene.serials, measurement, shared, scene.now_ns),
+                     .estimate = first_estimate(measurement, shared, kRobotSpeed)};
     robot.posture = judged({}, seen.height);
     scene.robots.push_back(robot);
     see_tag(scene, scene.robots.back(), seen, poses);
@@ -177,11 +139,13 @@ void Fusion::add_robots(Scene& scene, const SensorImage& image, OwnPoses& poses)
 void Fusion::advance(Scene& scene, const SensorImage& image, OwnPoses& poses) {
   const double dt = scene.now_ns == 0 ? 0 : seconds_between(scene.now_ns, image.detections.capture_ns);
   scene.now_ns = image.detections.capture_ns;
-  scene.image_ns[image.sensor] = scene.now_ns;
+  std::uint64_t& newest_ns = scene.image_ns[image.sensor];
+  scene.interval = newest_ns == 0 ? 0 : std::min(seconds_between(newest_ns, scene.now_ns), kLongestInterval);
+  newest_ns = scene.now_ns;
   scene.detected_ns[image.sensor] = image.detections.detected_ns;
-  know_players(scene, poses);
   for (const SeenRobot& seen : image.detections.robots)
-    if (tagged_player(seen, poses)) know_players(scene, poses);
+    if (seen.team && seen.player) (void)poses.find_or_add(*seen.team, *seen.player);
+  know_players(scene, poses);
 
   forget_lost_robots(scene);
   move_robots(scene, dt);

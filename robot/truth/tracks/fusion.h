@@ -22,10 +22,10 @@ class Fusion {
   enum class Rank { in_view, hidden, unconfirmed };
   static Rank rank_of(const Scene& scene, const RobotTrack& robot);
 
-  void match(Scene& scene, const SensorImage& image, OwnPoses& poses, Rank rank);
-  void fill_costs(const Scene& scene, const SensorImage& image, OwnPoses& poses);
+  void match(Scene& scene, const SensorImage& image, const OwnPoses& poses, Rank rank);
+  void fill_costs(const Scene& scene, const SensorImage& image, const OwnPoses& poses);
   void leave_out_seen(const Scene& scene, const SensorImage& image);
-  void add_robots(Scene& scene, const SensorImage& image, OwnPoses& poses) const;
+  void add_robots(Scene& scene, const SensorImage& image, const OwnPoses& poses) const;
 
   std::vector<Sensor> sensors_;
   CostTable costs_;

@@ -20,10 +20,15 @@ Result<void> valid(const OwnPose& pose) {
                 pose.team, pose.player, pose.position.x(), pose.position.y(), pose.deviation)};
 }
 
-std::optional<std::size_t> OwnPoses::index_of(std::uint32_t team, std::uint32_t player) {
+std::optional<std::size_t> OwnPoses::find(std::uint32_t team, std::uint32_t player) const {
   const auto found = std::find_if(players_.begin(), players_.end(),
                                   [&](const Player& known) { return known.team == team && known.number == player; });
-  if (found != players_.end()) return static_cast<std::size_t>(found - players_.begin());
+  if (found == players_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - players_.begin());
+}
+
+std::optional<std::size_t> OwnPoses::find_or_add(std::uint32_t team, std::uint32_t player) {
+  if (const auto found = find(team, player)) return found;
   if (players_.size() == kMostPlayers) return std::nullopt;
   players_.push_back({.team = team, .number = player, .poses = {}, .added = 0});
   return players_.size() - 1;
@@ -31,7 +36,7 @@ std::optional<std::size_t> OwnPoses::index_of(std::uint32_t team, std::uint32_t 
 
 Result<void> OwnPoses::add(const OwnPose& pose) {
   if (const Result<void> checked = valid(pose); !checked) return checked.failure();
-  const std::optional<std::size_t> index = index_of(pose.team, pose.player);
+  const std::optional<std::size_t> index = find_or_add(pose.team, pose.player);
   if (!index)
     return Error{formatted("own pose of team %u, player %u: expected at most %zu players in all", pose.team,
                            pose.player, kMostPlayers)};

@@ -28,8 +28,11 @@ Result<void> valid(const OwnPose& pose);
 /// The newest own poses of each player. Bounded memory.
 class OwnPoses {
  public:
-  /// Returns the number of a player from 0, a new one for a new player. Returns nothing for player kMostPlayers + 1.
-  std::optional<std::size_t> index_of(std::uint32_t team, std::uint32_t player);
+  /// Returns the index of a player in players(), or nothing if it is not known.
+  std::optional<std::size_t> find(std::uint32_t team, std::uint32_t player) const;
+
+  /// Works as find(), but a new player becomes known. Returns nothing for player kMostPlayers + 1.
+  std::optional<std::size_t> find_or_add(std::uint32_t team, std::uint32_t player);
 
   /// Keeps the pose, and at least the 63 before it of the same player. Returns an Error if it is not valid, or if there are
   /// too many players. A pose may be older than earlier ones.

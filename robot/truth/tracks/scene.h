@@ -43,6 +43,7 @@ struct KnownPlayer {
 /// All tracks at one moment. A plain value: a copy is a state to which a tracker can return. Bounded memory.
 struct Scene {
   std::uint64_t now_ns = 0;                                    // of the newest image; 0: none yet
+  double interval = 0;                                         // [s] between the newest two images of its sensor
   std::array<std::uint64_t, kMostSensors> image_ns{};          // newest image of each sensor; 0: none
   std::array<std::uint64_t, kMostSensors> detected_ns{};       // the end of its detection
   std::vector<RobotTrack> robots;                              // at most kMostRobots, the oldest first

@@ -24,8 +24,7 @@ Jacobian motion_of_point(const SensorPose& pose, const Eigen::Vector3d& seen) {
 }
 
 SharedErrors errors_at(const std::vector<Sensor>& sensors, const Eigen::Vector3d& point, Ranging Sensor::*ranging) {
-  SharedErrors shared;
-  shared.fill(Eigen::Matrix2d::Zero());
+  SharedErrors shared = no_errors();
   for (std::size_t i = 0; i < sensors.size(); ++i)
     shared[i] = shared_covariance(sensors[i].pose, point, sensors[i].*ranging);
   return shared;

@@ -15,6 +15,12 @@ Eigen::Matrix2d shared_covariance(const SensorPose& pose, const Eigen::Vector3d&
 /// The shared covariance of each sensor at one place [m²]; zero for sensors that do not exist.
 using SharedErrors = std::array<Eigen::Matrix2d, kMostSensors>;
 
+inline SharedErrors no_errors() {
+  SharedErrors none;
+  none.fill(Eigen::Matrix2d::Zero());
+  return none;
+}
+
 /// Return those of a robot and of a ball at a place [m, field].
 SharedErrors robot_errors(const std::vector<Sensor>& sensors, const Eigen::Vector2d& place);
 SharedErrors ball_errors(const std::vector<Sensor>& sensors, const Eigen::Vector2d& place);

@@ -10,21 +10,24 @@ constexpr double kLongestBirth = 2;  // [s] between two sightings of a new thing
 
 }  // namespace
 
-Sightings Sightings::begun(std::uint32_t serial, const Measurement& measurement, std::uint64_t capture_ns) {
+Sightings Sightings::begun(std::uint32_t serial, const Measurement& measurement, const SharedErrors& errors,
+                           std::uint64_t capture_ns) {
   Sightings sightings;
   sightings.serial = serial;
   sightings.first_sensor = measurement.sensor;
-  sightings.see(measurement, Eigen::Vector2d::Zero(), capture_ns);
+  sightings.see(measurement, errors, Eigen::Vector2d::Zero(), capture_ns);
   return sightings;
 }
 
-void Sightings::see(const Measurement& measurement, const Eigen::Vector2d& velocity, std::uint64_t capture_ns) {
+void Sightings::see(const Measurement& measurement, const SharedErrors& errors, const Eigen::Vector2d& velocity,
+                    std::uint64_t capture_ns) {
   ++hits;
   misses = 0;
   seen_ns[measurement.sensor] = capture_ns;
   newest_ns = capture_ns;
   newest = measurement;
-  disagreement.compare(measurement, shared[measurement.sensor], velocity, capture_ns);
+  shared = errors;
+  disagreement.compare(measurement, errors[measurement.sensor], velocity, capture_ns);
 }
 
 bool Sightings::lost(std::uint64_t now_ns) const {

@@ -21,14 +21,16 @@ struct Sightings {
   std::array<std::uint64_t, kMostSensors> seen_ns{};  // newest image of each sensor that showed it; 0: none
   std::uint64_t newest_ns = 0;                        // of these
   Measurement newest;                                 // in that image
-  SharedErrors shared = {};                           // at its place
+  SharedErrors shared = no_errors();                  // at its place
   Disagreement disagreement;
 
   /// Begins the history with a measurement that belongs to no other thing.
-  static Sightings begun(std::uint32_t serial, const Measurement& measurement, std::uint64_t capture_ns);
+  static Sightings begun(std::uint32_t serial, const Measurement& measurement, const SharedErrors& errors,
+                         std::uint64_t capture_ns);
 
-  /// Takes one more measurement of a thing with this velocity [m/s].
-  void see(const Measurement& measurement, const Eigen::Vector2d& velocity, std::uint64_t capture_ns);
+  /// Takes one more measurement of a thing with this velocity [m/s], and the shared errors at its place.
+  void see(const Measurement& measurement, const SharedErrors& errors, const Eigen::Vector2d& velocity,
+           std::uint64_t capture_ns);
 
   /// Counts an image that does not show it.
   void miss(std::size_t sensor) { misses += track == 0 && sensor == first_sensor; }

@@ -45,6 +45,8 @@ Result<void> Tracker::check(const SensorImage& image) {
   if (image.sensor >= fusion_.sensors().size())
     return Error{
         formatted("image of sensor %zu: expected a sensor from 1 to %zu", image.sensor + 1, fusion_.sensors().size())};
+  if (image.detections.capture_ns == 0)
+    return Error{formatted("sensor %zu: an image has no capture time", image.sensor + 1)};
   if (too_late(image)) {
     const double age = seconds_between(image.detections.capture_ns, scene_.now_ns);
     count_late();

@@ -31,7 +31,7 @@ class Tracker {
 
   /// Takes an image of a sensor. An image that comes late by up to kLatest counts as if it had come in time: the tracker
   /// returns to the scene before it and repeats the later images.
-  /// Returns an Error for an unknown sensor, a later or a repeated image. If 30 images in a row are too late, the clock was
+  /// Returns an Error for an unknown sensor, an image without a time, a later or a repeated one. If 30 images in a row are too late, the clock was
   /// set back, and all tracks begin anew.
   Result<void> add(const SensorImage& image);
 

@@ -11,11 +11,12 @@ namespace {
 constexpr double kFarthest = 100;         // [m]
 constexpr double kLeastVariance = 1e-10;  // [m²]
 constexpr double kMostVariance = 100;     // [m²]
+constexpr double kLeastRoundness = 1e-6;  // an ellipse 1000 times as long as wide is no measurement
 
 bool is_covariance(const Eigen::Matrix2d& covariance) {
   return covariance.allFinite() && covariance.diagonal().minCoeff() >= kLeastVariance &&
          covariance.diagonal().maxCoeff() <= kMostVariance && covariance(0, 1) == covariance(1, 0) &&
-         covariance.determinant() > 0.001 * covariance(0, 0) * covariance(1, 1) * 1e-3;
+         covariance.determinant() > kLeastRoundness * covariance(0, 0) * covariance(1, 1);
 }
 
 bool is_usable(const Place& place) {
@@ -26,7 +27,10 @@ bool is_usable(const Place& place) {
 SeenRobot with_finite_heading(SeenRobot robot) {
   const bool finite =
       robot.heading && std::isfinite(*robot.heading) && std::isfinite(robot.heading_deviation.value_or(0));
-  if (!finite) robot.heading.reset(), robot.heading_deviation.reset();
+  if (!finite) {
+    robot.heading.reset();
+    robot.heading_deviation.reset();
+  }
   return robot;
 }
 
