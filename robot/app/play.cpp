@@ -29,12 +29,12 @@
 namespace robot::app {
 namespace {
 
-/// Returns the shift [ns] to add to the times of each session, and prints the reasons. Empty for a single session.
-Result<std::vector<std::int64_t>> shifts_between(const PlayOptions& options) {
-  std::vector<std::int64_t> shifts_ns;
+/// Returns the shift of the times of each session, and prints the reasons. Empty for a single session.
+Result<std::vector<ClockShift>> shifts_between(const PlayOptions& options) {
+  std::vector<ClockShift> shifts;
   const auto most_ns = clock_offset_ns(options.max_clock_offset);
   if (!most_ns) return most_ns.failure();
-  if (options.sessions.size() < 2) return shifts_ns;
+  if (options.sessions.size() < 2) return shifts;
   std::vector<logging::Session> sessions;
   for (const std::filesystem::path& path : options.sessions) {
     auto session = logging::open_session(path);
@@ -44,10 +44,10 @@ Result<std::vector<std::int64_t>> shifts_between(const PlayOptions& options) {
   const auto times = lab::session_times(sessions, *most_ns);
   if (!times) return times.failure("play");
   for (const lab::Agreement& agreement : times->agreements) {
-    shifts_ns.push_back(agreement.shift_ns);
+    shifts.push_back(agreement.shift());
     if (!agreement.sentence.empty()) std::printf("%s\n", agreement.sentence.c_str());
   }
-  return shifts_ns;
+  return shifts;
 }
 
 std::vector<body::MadeStream> made_by(const lab::Mapping& mapping) {
@@ -69,8 +69,8 @@ std::string name_of(const std::vector<std::filesystem::path>& sessions) {
 /// port in `options`, so that the next session is served at the same address.
 Result<std::optional<std::filesystem::path>> play_one(PlayOptions& options) {
   // until a thread starts, the signals end the process at once, also while it reads a large file
-  const auto shifts_ns = shifts_between(options);
-  if (!shifts_ns) return shifts_ns.failure();
+  const auto shifts = shifts_between(options);
+  if (!shifts) return shifts.failure();
   std::optional<lab::Mapping> mapping;
   if (!options.map.empty()) {
     auto read = lab::read_mapping(options.map);
@@ -81,7 +81,7 @@ Result<std::optional<std::filesystem::path>> play_one(PlayOptions& options) {
       body::Replay::open(options.sessions, {.speed = options.speed,
                                             .loop = options.loop,
                                             .robot = "",
-                                            .shifts_ns = *shifts_ns,
+                                            .shifts = *shifts,
                                             .made = mapping ? made_by(*mapping) : std::vector<body::MadeStream>(),
                                             .skipped_objects = {"lab/1/runtime", "lab/1/clock"}});
   if (!replay) return Error{(mapping ? mapping->name + ": " : "") + replay.error()};

@@ -33,9 +33,9 @@ bool is_near(std::uint64_t time_ns, std::uint64_t capture_ns) {
 
 }  // namespace
 
-TimeShift::TimeShift(const ChannelInfo& channel, std::int64_t by_ns)
-    : by_ns_(by_ns), schema_(std::make_unique<SchemaPool>()) {
-  if (by_ns == 0 || channel.message_encoding != "protobuf" || channel.schema.encoding != "protobuf") return;
+TimeShift::TimeShift(const ChannelInfo& channel, const ClockShift& shift)
+    : shift_(shift), schema_(std::make_unique<SchemaPool>()) {
+  if (shift.is_none() || channel.message_encoding != "protobuf" || channel.schema.encoding != "protobuf") return;
   const Result<const Descriptor*> message = schema_->read(channel.schema);
   std::set<const Descriptor*> seen;
   if (message && has_times(**message, seen)) prototype_ = factory_.GetPrototype(*message);

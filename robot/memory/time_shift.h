@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "robot/core/clock_shift.h"
 #include "robot/memory/channel.h"
 #include "robot/memory/schema_pool.h"
 
@@ -19,10 +20,10 @@ namespace robot::memory {
 /// times have such names too; they are told apart because they are not within a day of the message's capture time.
 class TimeShift {
  public:
-  /// Adds `by_ns` to every time. In a channel that is not protobuf or has no readable schema, no times can be found.
-  TimeShift(const ChannelInfo& channel, std::int64_t by_ns);
+  /// Shifts every time. In a channel that is not protobuf or has no readable schema, no times can be found.
+  TimeShift(const ChannelInfo& channel, const ClockShift& shift);
 
-  std::uint64_t operator()(std::uint64_t time_ns) const { return time_ns + static_cast<std::uint64_t>(by_ns_); }
+  std::uint64_t operator()(std::uint64_t time_ns) const { return shift_(time_ns); }
 
   /// Returns `bytes` with every time in it shifted. `capture_ns` is their capture time by the clock that wrote them.
   /// Bytes that do not match the schema are returned unchanged.
@@ -31,7 +32,7 @@ class TimeShift {
  private:
   bool move(google::protobuf::Message& message, std::uint64_t capture_ns) const;
 
-  const std::int64_t by_ns_;
+  const ClockShift shift_;
   const std::unique_ptr<SchemaPool> schema_;
   google::protobuf::DynamicMessageFactory factory_;
   const google::protobuf::Message* prototype_ = nullptr;  // of the factory; null: no times to shift

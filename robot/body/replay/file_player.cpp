@@ -18,9 +18,9 @@ std::set<std::uint16_t> all_channels(const std::vector<PlayedTopic>& topics) {
 }  // namespace
 
 FilePlayer::FilePlayer(std::shared_ptr<const logging::McapFile> file, std::vector<PlayedTopic> topics,
-                       std::int64_t shift_ns, PlaybackClock& clock)
+                       const ClockShift& shift, PlaybackClock& clock)
     : topics_(std::move(topics)),
-      shift_ns_(shift_ns),
+      shift_(shift),
       clock_(clock),
       reader_(std::move(file), all_channels(topics_), &stopping_) {
   for (const PlayedTopic& topic : topics_)
@@ -54,8 +54,7 @@ void FilePlayer::carry() {
       continue;
     }
     const auto due =
-        *message ? clock_.wait_until_due((*message)->record.capture_ns + static_cast<std::uint64_t>(shift_ns_), moves)
-                 : clock_.wait_for_move(moves);
+        *message ? clock_.wait_until_due(shift_((*message)->record.capture_ns), moves) : clock_.wait_for_move(moves);
     if (due == logging::Pace::Due::never) return;
     if (due == logging::Pace::Due::now) {
       play(**message);
@@ -69,10 +68,7 @@ void FilePlayer::carry() {
 
 /// Gives each channel its value of the new time and continues after it.
 void FilePlayer::follow(const logging::Pace::Move& move) {
-  const auto theirs = static_cast<std::int64_t>(move.to_ns) - shift_ns_;
-  const bool before_all = shift_ns_ > 0 && theirs < 0;
-  const std::uint64_t to_ns = before_all ? 0 : move.to_ns - static_cast<std::uint64_t>(shift_ns_);
-  for (const logging::McapMessage& message : reader_.move_to(to_ns)) play(message);
+  for (const logging::McapMessage& message : reader_.move_to(shift_.back(move.to_ns))) play(message);
 }
 
 void FilePlayer::play(const logging::McapMessage& message) {

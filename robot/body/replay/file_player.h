@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot/body/replay/playback_clock.h"
+#include "robot/core/clock_shift.h"
 #include "robot/logging/mcap/ordered_reader.h"
 #include "robot/memory/channel.h"
 #include "robot/memory/time_shift.h"
@@ -28,8 +29,8 @@ struct PlayedTopic {
 /// message that its channel refuses is left out; an exception of a channel costs one message, too.
 class FilePlayer {
  public:
-  /// `shift_ns` is the shift of all topics. `clock` outlives this.
-  FilePlayer(std::shared_ptr<const logging::McapFile> file, std::vector<PlayedTopic> topics, std::int64_t shift_ns,
+  /// `shift` is that of all topics. `clock` outlives this.
+  FilePlayer(std::shared_ptr<const logging::McapFile> file, std::vector<PlayedTopic> topics, const ClockShift& shift,
              PlaybackClock& clock);
 
   /// Starts the thread, once. Returns an Error if the system allows no more threads.
@@ -51,7 +52,7 @@ class FilePlayer {
 
   std::vector<PlayedTopic> topics_;
   std::map<std::uint16_t, const PlayedTopic*> topic_of_;
-  const std::int64_t shift_ns_;
+  const ClockShift shift_;
   PlaybackClock& clock_;
   std::atomic<bool> stopping_ = false;
   logging::OrderedReader reader_;

@@ -18,7 +18,7 @@ Result<Replay::Recording> Replay::open_recording(const std::filesystem::path& pa
   std::uint64_t messages = 0;
   for (const logging::StreamFile& stream : session->streams) messages += stream.messages;
   if (messages == 0) return Error{"replay: expected a session with messages, " + path.string() + " has none"};
-  return Recording{.session = std::move(*session)};
+  return Recording{.session = std::move(*session), .shift = {}};
 }
 
 Result<std::unique_ptr<Replay>> Replay::open(const std::vector<std::filesystem::path>& paths, ReplayOptions options) {
@@ -35,7 +35,7 @@ Result<std::unique_ptr<Replay>> Replay::open(const std::vector<std::filesystem::
     if (recording->session.streams.empty())
       return Error{"replay: expected recordings of different robots, " + path.string() +
                    " has no topic beyond those before it"};
-    if (recordings.size() < options.shifts_ns.size()) recording->shift_ns = options.shifts_ns[recordings.size()];
+    if (recordings.size() < options.shifts.size()) recording->shift = options.shifts[recordings.size()];
     recordings.push_back(std::move(*recording));
   }
   auto replay = std::unique_ptr<Replay>(new Replay(std::move(recordings), std::move(options)));
@@ -102,8 +102,8 @@ std::vector<Replay::Played> Replay::played() const {
 std::unique_ptr<logging::InProvider> Replay::open_stream(const Played& played) const {
   std::unique_ptr<logging::InProvider> stream = logging::provider_of(played.recording->session, *played.file);
   if (played.made) stream = played.made->make(std::move(stream));
-  if (played.recording->shift_ns == 0) return stream;
-  return std::make_unique<logging::ShiftedInProvider>(std::move(stream), played.recording->shift_ns);
+  if (played.recording->shift.is_none()) return stream;
+  return std::make_unique<logging::ShiftedInProvider>(std::move(stream), played.recording->shift);
 }
 
 std::unique_ptr<logging::InProvider> Replay::stream_of(const std::string& topic) const {
@@ -190,11 +190,11 @@ Result<void> Replay::start_file(const Recording& recording) {
       continue;
     }
     PlayedTopic topic{.channels = of_topic.channels, .to = std::move(*channel), .shift = nullptr};
-    if (recording.shift_ns != 0) topic.shift = std::make_unique<memory::TimeShift>(of_topic.info, recording.shift_ns);
+    if (!recording.shift.is_none()) topic.shift = std::make_unique<memory::TimeShift>(of_topic.info, recording.shift);
     topics.push_back(std::move(topic));
   }
   players_.push_back(
-      std::make_unique<FilePlayer>(recording.session.one_file, std::move(topics), recording.shift_ns, clock_));
+      std::make_unique<FilePlayer>(recording.session.one_file, std::move(topics), recording.shift, clock_));
   return players_.back()->start();
 }
 

@@ -15,6 +15,7 @@
 #include "robot/body/replay/file_player.h"
 #include "robot/body/replay/playback_clock.h"
 #include "robot/body/replay/track.h"
+#include "robot/core/clock_shift.h"
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/logging/sessions/session.h"
@@ -37,8 +38,8 @@ struct ReplayOptions {
   /// Name of the recorded robot in playback, such as "14/2"; empty: its recorded name. For one session only.
   std::string robot;
 
-  /// Offsets that are added to the times of each recording [ns], in the order of the paths; empty: no offsets.
-  std::vector<std::int64_t> shifts_ns;
+  /// Shifts of the times of each recording, in the order of the paths; empty: no shifts.
+  std::vector<ClockShift> shifts;
 
   /// Streams that are played in addition to the recorded ones.
   std::vector<MadeStream> made;
@@ -127,10 +128,10 @@ class Replay {
  private:
   struct Recording {
     logging::Session session;
-    std::int64_t shift_ns = 0;  // added to its times
+    ClockShift shift;  // of its times
 
-    std::uint64_t start_ns() const { return session.start_ns + static_cast<std::uint64_t>(shift_ns); }
-    std::uint64_t end_ns() const { return session.end_ns + static_cast<std::uint64_t>(shift_ns); }
+    std::uint64_t start_ns() const { return shift(session.start_ns); }
+    std::uint64_t end_ns() const { return shift(session.end_ns); }
   };
 
   Replay(std::vector<Recording> recordings, ReplayOptions options);

@@ -40,12 +40,11 @@ bool read_stream(logging::InProvider& stream, std::size_t topic, Range range, co
 
 /// As before, for several topics of one file: `topic_of` gives the topic of each channel.
 bool read_file(std::shared_ptr<const logging::McapFile> file, const std::map<std::uint16_t, std::size_t>& topic_of,
-               std::int64_t shift_ns, Range range, const Visit& visit, std::uint64_t& damages) {
+               const ClockShift& shift, Range range, const Visit& visit, std::uint64_t& damages) {
   std::set<std::uint16_t> channels;
   for (const auto& [channel, topic] : topic_of) channels.insert(channel);
   logging::OrderedReader reader(std::move(file), channels);
-  const auto shift = static_cast<std::uint64_t>(shift_ns);
-  if (range.from_ns > 0) reader.seek(shift_ns > 0 && range.from_ns < shift ? 0 : range.from_ns - shift);
+  if (range.from_ns > 0) reader.seek(shift.back(range.from_ns));
   while (true) {
     const auto message = reader.next();
     if (!message) {
@@ -53,7 +52,7 @@ bool read_file(std::shared_ptr<const logging::McapFile> file, const std::map<std
       continue;
     }
     if (!*message) return true;
-    const std::uint64_t capture_ns = (*message)->record.capture_ns + shift;
+    const std::uint64_t capture_ns = shift((*message)->record.capture_ns);
     if (capture_ns > range.to_ns) return true;
     if (capture_ns < range.from_ns) continue;
     const std::size_t topic = topic_of.at((*message)->channel_id);
@@ -81,7 +80,7 @@ std::uint64_t Replay::read(const std::vector<std::string>& topics, std::uint64_t
     }
   }
   for (const auto& [recording, topic_of] : of_files)
-    if (!read_file(recording->session.one_file, topic_of, recording->shift_ns, range, visit, damages)) return damages;
+    if (!read_file(recording->session.one_file, topic_of, recording->shift, range, visit, damages)) return damages;
   return damages;
 }
 

@@ -53,7 +53,7 @@ Result<std::unique_ptr<Track>> Replay::open_track(const std::vector<std::string>
     wanted.push_back(std::move(stream->second));
   }
   return std::unique_ptr<Track>(
-      std::make_unique<FileTrack>(std::move(*file), wanted, first.recording->shift_ns, cancelled));
+      std::make_unique<FileTrack>(std::move(*file), wanted, first.recording->shift, cancelled));
 }
 
 }  // namespace robot::body

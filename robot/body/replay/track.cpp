@@ -15,11 +15,11 @@ std::set<std::uint16_t> channels_of(const std::vector<logging::TopicStream>& top
 }  // namespace
 
 FileTrack::FileTrack(std::shared_ptr<const logging::McapFile> file, const std::vector<logging::TopicStream>& topics,
-                     std::int64_t shift_ns, const std::atomic<bool>& cancelled)
-    : shift_ns_(shift_ns), reader_(std::move(file), channels_of(topics), &cancelled) {
+                     const ClockShift& shift, const std::atomic<bool>& cancelled)
+    : shift_(shift), reader_(std::move(file), channels_of(topics), &cancelled) {
   for (std::size_t i = 0; i < topics.size(); ++i) {
     for (const std::uint16_t channel : topics[i].channels) topic_of_[channel] = i;
-    if (shift_ns != 0) shifts_.push_back(std::make_unique<memory::TimeShift>(topics[i].info, shift_ns));
+    if (!shift.is_none()) shifts_.push_back(std::make_unique<memory::TimeShift>(topics[i].info, shift));
   }
 }
 
@@ -38,10 +38,7 @@ std::optional<Track::Message> FileTrack::next() {
 }
 
 void FileTrack::seek(std::uint64_t capture_ns) {
-  // a time before 0 of the file's clock means its beginning
-  const auto theirs_ns = static_cast<std::int64_t>(capture_ns) - shift_ns_;
-  std::vector<logging::McapMessage> newest =
-      reader_.move_to(shift_ns_ > 0 && theirs_ns < 0 ? 0 : capture_ns - static_cast<std::uint64_t>(shift_ns_));
+  std::vector<logging::McapMessage> newest = reader_.move_to(shift_.back(capture_ns));
   ahead_.assign(std::make_move_iterator(newest.begin()), std::make_move_iterator(newest.end()));
 }
 

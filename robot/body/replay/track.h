@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "robot/core/clock_shift.h"
 #include "robot/logging/mcap/ordered_reader.h"
 #include "robot/logging/mcap/topic_streams.h"
 #include "robot/logging/streams/provider.h"
@@ -39,9 +40,9 @@ class Track {
 /// The track of topics of one file.
 class FileTrack final : public Track {
  public:
-  /// `shift_ns` is added to all times. `cancelled` outlives this.
+  /// `shift` is that of all times. `cancelled` outlives this.
   FileTrack(std::shared_ptr<const logging::McapFile> file, const std::vector<logging::TopicStream>& topics,
-            std::int64_t shift_ns, const std::atomic<bool>& cancelled);
+            const ClockShift& shift, const std::atomic<bool>& cancelled);
 
   std::optional<Message> next() override;
   void seek(std::uint64_t capture_ns) override;
@@ -51,7 +52,7 @@ class FileTrack final : public Track {
 
   std::map<std::uint16_t, std::size_t> topic_of_;           // by channel
   std::vector<std::unique_ptr<memory::TimeShift>> shifts_;  // by topic; empty: the times stay
-  const std::int64_t shift_ns_;
+  const ClockShift shift_;
   logging::OrderedReader reader_;
   std::deque<logging::McapMessage> ahead_;  // messages that seek() has read already
 };

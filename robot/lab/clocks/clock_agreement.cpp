@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "proto/foresight/runtime.pb.h"
+#include "robot/core/text.h"
 #include "robot/logging/sessions/session_provider.h"
 
 namespace robot::lab {
@@ -109,11 +110,17 @@ Agreement no_agreement(const ClockOwners& owners, const std::string& reason) {
 }
 
 Result<Agreement> agreement_by(const ClockOwners& owners, const ClockOffset& offset, const std::string& by,
-                               std::uint64_t most_ns) {
+                               std::uint64_t most_ns, const ClockDrift& drift) {
   const auto& [reference, other] = owners;
   const std::string told = to_text(offset), source = by.empty() ? "" : ", by " + by;
   const auto shift_ns = correction(offset, most_ns, other + "'s");
   if (!shift_ns) return shift_ns.failure();
+  if (drift.growth != 0)
+    return Agreement{
+        .shift_ns = -offset.offset_ns,
+        .drift = drift,
+        .sentence = sentence_of({other, "'s clock is ", told, " of ", reference, "'s and gains ",
+                                 formatted("%.1f ppm", drift.growth * 1e6), source, ": its times are shifted"})};
   if (*shift_ns == 0)
     return Agreement{.sentence = sentence_of(
                          {"the clocks of ", other, " and ", reference, " agree: ", other, "'s is ", told, source})};

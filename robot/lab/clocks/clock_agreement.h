@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/core/clock_shift.h"
 #include "robot/core/result.h"
 #include "robot/lab/clocks/clock_offset.h"
 #include "robot/logging/sessions/session.h"
@@ -35,11 +36,21 @@ struct ClockComparison {
 /// if the two have no peer in common.
 std::optional<ClockComparison> compare(const RecordedClock& reference, const RecordedClock& other);
 
+/// The growth of the offset of two clocks.
+struct ClockDrift {
+  double growth = 0;            // [ns/ns] 0: not significant, and not applied
+  std::uint64_t around_ns = 0;  // [ns since the epoch, other clock] the time at which the offset was measured
+};
+
 /// The result of the comparison for one session.
 struct Agreement {
   std::int64_t shift_ns = 0;  // to add to the session's times
+  ClockDrift drift = {};      // by which this shift shrinks
   std::string sentence;       // for people; empty for the first session
   bool known = true;          // false: the clocks could not be compared
+
+  /// Returns the shift of the session's times.
+  ClockShift shift() const { return {shift_ns, -drift.growth, drift.around_ns}; }
 };
 
 /// The owners of two clocks.
@@ -48,9 +59,10 @@ struct ClockOwners {
 };
 
 /// Returns the shift for the `other` clock, which is ahead of `reference` by a known offset. `by` is the source of that
-/// offset; empty: one of the two measured the other. Returns an Error if the offset exceeds `most_ns`.
+/// offset; empty: one of the two measured the other. A clock that drifts is shifted also if its offset is small. Returns an
+/// Error if the offset exceeds `most_ns`.
 Result<Agreement> agreement_by(const ClockOwners& owners, const ClockOffset& offset, const std::string& by,
-                               std::uint64_t most_ns);
+                               std::uint64_t most_ns, const ClockDrift& drift = {});
 
 /// Returns the agreement of two clocks whose times stay unchanged, and the reason.
 Agreement no_agreement(const ClockOwners& owners, const std::string& reason);

@@ -29,11 +29,14 @@ Result<TruthOffset> offset_to_truth(const RecordedClock& of_truth, const Recorde
   return TruthOffset{.clock = {.offset = offset, .deviation = error / kTwoSided, .middle = 0}, .by = "clock samples"};
 }
 
+double applied_drift(const DataOffset& clock) { return clock.drifts() ? clock.drift : 0; }
+
 /// The sessions with their truth.
 struct Compared {
   const std::vector<RecordedClock>& clocks;  // of all sessions
   std::size_t truth;                         // index of the session that has it
   const std::vector<JudgedRobot>& robots;
+  std::uint64_t epoch_ns;  // of their times
 
   std::string name_of(std::size_t session) const { return session == truth ? "the ground truth" : clocks[session].who; }
 
@@ -52,9 +55,13 @@ struct Compared {
     for (const Result<TruthOffset>* offset : {&ours, &theirs})
       if (!*offset) return no_agreement(owners, "no clock samples of one machine are in both, and " + offset->error());
     const std::string by = ours->by.empty() || theirs->by.empty() ? ours->by + theirs->by : "the ground truth of both";
-    const DataOffset between{.offset = theirs->clock.offset - ours->clock.offset,
-                             .deviation = std::hypot(ours->clock.deviation, theirs->clock.deviation)};
-    return agreement_by(owners, to_clock_offset(between), by, most_ns);
+    // both lines are exact at their middle; one time serves for both
+    const double at = session == truth ? ours->clock.middle : theirs->clock.middle;
+    const DataOffset between{.offset = theirs->clock.at(at) - ours->clock.at(at),
+                             .deviation = std::hypot(ours->clock.deviation_at(at), theirs->clock.deviation_at(at))};
+    const ClockDrift drift{.growth = applied_drift(theirs->clock) - applied_drift(ours->clock),
+                           .around_ns = epoch_ns + static_cast<std::uint64_t>(std::llround(at * 1e9))};
+    return agreement_by(owners, to_clock_offset(between), by, most_ns, drift);
   }
 };
 
@@ -86,7 +93,7 @@ Result<SessionTimes> session_times(const std::vector<logging::Session>& sessions
   const auto truth = static_cast<std::size_t>(with_truth - sessions.begin());
   times.truth = read_truth(*with_truth);
   times.robots = judged_robots(sessions, truth, clocks, times.truth, most_ns);
-  const Compared compared{.clocks = clocks, .truth = truth, .robots = times.robots};
+  const Compared compared{.clocks = clocks, .truth = truth, .robots = times.robots, .epoch_ns = times.truth.epoch_ns};
   for (std::size_t i = 1; i < sessions.size(); ++i) {
     if (times.agreements[i].known) continue;
     auto agreement = compared.agreement(i, most_ns);

@@ -6,7 +6,7 @@ namespace robot::logging {
 
 Result<memory::ChannelInfo> ShiftedInProvider::open() {
   Result<memory::ChannelInfo> info = stream_->open();
-  if (info) shift_ = std::make_unique<memory::TimeShift>(*info, by_ns_);
+  if (info) shift_ = std::make_unique<memory::TimeShift>(*info, by_);
   return info;
 }
 
@@ -21,10 +21,6 @@ Result<std::optional<Record>> ShiftedInProvider::read() {
   return record;
 }
 
-Result<void> ShiftedInProvider::seek(std::uint64_t capture_ns) {
-  // a time before 0 of the other clock means the beginning of the stream
-  const auto theirs_ns = static_cast<std::int64_t>(capture_ns) - by_ns_;
-  return stream_->seek(theirs_ns < 0 ? 0 : static_cast<std::uint64_t>(theirs_ns));
-}
+Result<void> ShiftedInProvider::seek(std::uint64_t capture_ns) { return stream_->seek(by_.back(capture_ns)); }
 
 }  // namespace robot::logging

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "robot/core/clock_shift.h"
 #include "robot/logging/streams/provider.h"
 #include "robot/memory/time_shift.h"
 
@@ -14,9 +15,7 @@ namespace robot::logging {
 /// The messages of another stream with every time shifted, also the times inside the messages.
 class ShiftedInProvider final : public InProvider {
  public:
-  /// Adds `by_ns` to every time.
-  ShiftedInProvider(std::unique_ptr<InProvider> stream, std::int64_t by_ns)
-      : stream_(std::move(stream)), by_ns_(by_ns) {}
+  ShiftedInProvider(std::unique_ptr<InProvider> stream, const ClockShift& by) : stream_(std::move(stream)), by_(by) {}
 
   Result<memory::ChannelInfo> open() override;
   Result<std::optional<Record>> read() override;
@@ -26,7 +25,7 @@ class ShiftedInProvider final : public InProvider {
 
  private:
   const std::unique_ptr<InProvider> stream_;
-  const std::int64_t by_ns_;
+  const ClockShift by_;
   std::unique_ptr<memory::TimeShift> shift_;
 };
 

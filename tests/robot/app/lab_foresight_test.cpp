@@ -29,7 +29,7 @@ struct LabForesightOf : ::testing::Test {
       moment.remaining = game.memory->game.read()->value().seconds_remaining();
     }
     EXPECT_TRUE((*writer)->close());
-    auto opened = body::Replay::open({folder / "game"}, {.shifts_ns = {kShift}});
+    auto opened = body::Replay::open({folder / "game"}, {.shifts = {kShift}});
     EXPECT_TRUE(opened) << opened.error();
     replay = std::move(*opened);
   }

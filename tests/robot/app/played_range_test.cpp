@@ -26,7 +26,7 @@ struct PlayedRange : testing::Test {
       EXPECT_TRUE((*writer)->write({.topic = "/14/2/large", .message_encoding = "json", .schema = {}}, at(i / 2),
                                    std::string(512 * 1024, 'x')));
     EXPECT_TRUE((*writer)->close());
-    auto opened = body::Replay::open({folder / "recorded"}, {.shifts_ns = {kShift}});
+    auto opened = body::Replay::open({folder / "recorded"}, {.shifts = {kShift}});
     EXPECT_TRUE(opened) << opened.error();
     replay = std::move(*opened);
   }

@@ -243,7 +243,7 @@ TEST_F(Replaying, ARecordingWhoseClockIsOffIsPlayedInTheTimeOfTheOther) {
     EXPECT_TRUE((*writer)->write(info, kStart + kAhead + i * 10 * kMillisecond, ball.SerializeAsString()));
   }
   ASSERT_TRUE((*writer)->close());
-  auto replay = Replay::open({recorded, other}, {.speed = 1000, .shifts_ns = {0, -static_cast<std::int64_t>(kAhead)}});
+  auto replay = Replay::open({recorded, other}, {.speed = 1000, .shifts = {0, -static_cast<std::int64_t>(kAhead)}});
   ASSERT_TRUE(replay) << replay.error();
   EXPECT_EQ((*replay)->start_ns(), kStart);
   EXPECT_EQ((*replay)->end_ns(), kStart + 2990 * kMillisecond);
@@ -338,7 +338,7 @@ TEST_F(ReplayingAFile, AnExceptionOfAChannelCostsOneMessage) {
 }
 
 TEST_F(ReplayingAFile, AfterASeekEveryTopicHasItsValueOfThatTime) {
-  auto replay = Replay::open({file}, {.shifts_ns = {5 * kMillisecond}});
+  auto replay = Replay::open({file}, {.shifts = {5 * kMillisecond}});
   ASSERT_TRUE(replay) << replay.error();
   ASSERT_TRUE((*replay)->start(channels, board));
   (*replay)->clock().set(false, 1);

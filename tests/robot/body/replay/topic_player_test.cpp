@@ -36,7 +36,7 @@ struct Topics : ::testing::Test {
     EXPECT_TRUE(file->close());
   }
   std::unique_ptr<Replay> open(const char* name, std::int64_t shift_ns = 0) {
-    auto replay = Replay::open({folder / name}, {.shifts_ns = {shift_ns}});
+    auto replay = Replay::open({folder / name}, {.shifts = {shift_ns}});
     EXPECT_TRUE(replay) << replay.error();
     return std::move(*replay);
   }

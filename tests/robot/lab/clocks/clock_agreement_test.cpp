@@ -102,6 +102,21 @@ TEST_F(Planted, ClocksThatAgreeAreNotShifted) {
             "the clocks of 14/3 and 14/2 agree: 14/3's is 0.003 s behind (± 1.0 ms), by 10.0.14.7");
 }
 
+TEST(AgreementBy, AClockThatDriftsIsShiftedAlsoIfItsOffsetIsSmall) {
+  const ClockOffset small{.offset_ns = 2'000'000, .error_ns = 3'000'000};
+  const auto drifting = agreement_by({.reference = "the ground truth", .other = "14/2"}, small, "the ball", kSecond,
+                                     {.growth = 30e-6, .around_ns = kStart});
+  ASSERT_TRUE(drifting);
+  EXPECT_EQ(drifting->shift()(kStart), kStart - 2'000'000);
+  EXPECT_EQ(drifting->shift()(kStart + 1000 * kSecond), kStart + 1000 * kSecond - 32'000'000);
+  EXPECT_EQ(
+      drifting->sentence,
+      "14/2's clock is 0.002 s ahead (± 3.0 ms) of the ground truth's and gains 30.0 ppm, by the ball: its times are "
+      "shifted");
+  EXPECT_FALSE(agreement_by({.reference = "a", .other = "b"}, {.offset_ns = 2'000'000'000, .error_ns = 0}, "", kSecond,
+                            {.growth = 30e-6, .around_ns = kStart}));
+}
+
 TEST_F(Planted, ClocksThatCannotBeComparedAreNotShiftedAndTheSentenceSaysSo) {
   const RecordedClock two = read_clock(session("14/2", {{"10.0.14.7:1", 0, 10}, {"127.0.0.1:1", 0, 10}}));
   const RecordedClock three =

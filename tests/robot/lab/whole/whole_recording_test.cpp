@@ -70,8 +70,8 @@ void write_file(const std::filesystem::path& path, const std::vector<Written>& m
   ASSERT_TRUE(writer->close());
 }
 
-std::unique_ptr<body::Replay> open(const std::filesystem::path& path, std::vector<std::int64_t> shifts_ns = {}) {
-  auto replay = body::Replay::open({path}, {.robot = "", .shifts_ns = std::move(shifts_ns)});
+std::unique_ptr<body::Replay> open(const std::filesystem::path& path, std::vector<ClockShift> shifts = {}) {
+  auto replay = body::Replay::open({path}, {.robot = "", .shifts = std::move(shifts)});
   EXPECT_TRUE(replay) << replay.error();
   return std::move(*replay);
 }
