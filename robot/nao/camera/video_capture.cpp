@@ -1,7 +1,5 @@
 #include "robot/nao/camera/video_capture.h"
 
-#include <linux/videodev2.h>
-
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -101,17 +99,18 @@ Result<void> VideoCapture::set_format() {
   format.type = kType;
   format.fmt.pix.width = settings_.width;
   format.fmt.pix.height = settings_.height;
-  format.fmt.pix.pixelformat = V4L2_PIX_FMT_YUYV;
+  format.fmt.pix.pixelformat = settings_.format;
   format.fmt.pix.field = V4L2_FIELD_NONE;
   if (const int error = device_->control(VIDIOC_S_FMT, &format)) return refused("it to take a format", error);
   // the driver answers with the nearest format that it supports
   const v4l2_pix_format& got = format.fmt.pix;
-  if (got.width != settings_.width || got.height != settings_.height || got.pixelformat != V4L2_PIX_FMT_YUYV ||
-      got.bytesperline < 2 * settings_.width)
-    return Error{"camera " + settings_.device.string() + ": expected YUYV " + std::to_string(settings_.width) + "x" +
-                 std::to_string(settings_.height) + ", got " + four_letters(got.pixelformat) + " " +
-                 std::to_string(got.width) + "x" + std::to_string(got.height)};
-  stride_ = got.bytesperline;
+  const bool compressed = settings_.format != V4L2_PIX_FMT_YUYV;
+  if (got.width != settings_.width || got.height != settings_.height || got.pixelformat != settings_.format ||
+      (!compressed && got.bytesperline < 2 * settings_.width))
+    return Error{"camera " + settings_.device.string() + ": expected " + four_letters(settings_.format) + " " +
+                 std::to_string(settings_.width) + "x" + std::to_string(settings_.height) + ", got " +
+                 four_letters(got.pixelformat) + " " + std::to_string(got.width) + "x" + std::to_string(got.height)};
+  stride_ = compressed ? 0 : got.bytesperline;
 
   v4l2_streamparm rate{};
   rate.type = kType;
@@ -161,10 +160,12 @@ Result<std::optional<VideoCapture::Frame>> VideoCapture::newest(int patience_ms)
     if (buffer.index >= buffers_.size()) return refused("one of our buffers", EPROTO);
     const Frame frame{.pixels = static_cast<const char*>(buffers_[buffer.index].memory),
                       .stride = stride_,
+                      .bytes = buffer.bytesused,
                       .capture_ns = capture_ns_of(buffer),
                       .buffer = buffer.index};
     // the frame is damaged or incomplete
-    const bool damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || buffer.bytesused < stride_ * settings_.height;
+    const bool damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || buffer.bytesused == 0 ||
+                         buffer.bytesused < stride_ * settings_.height;
     if (damaged) {
       give_back(frame);
       continue;

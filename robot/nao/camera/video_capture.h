@@ -1,6 +1,9 @@
 // Frames of one Video4Linux device. The newest frame replaces older ones.
 #pragma once
 
+#include <linux/videodev2.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -15,9 +18,10 @@ namespace robot::nao {
 
 struct CameraSettings {
   std::filesystem::path device;
-  std::uint32_t width = 640, height = 480;  // [px]
-  std::uint32_t rate = 30;                  // [1/s]
-  bool turned = false;                      // the camera is mounted upside down
+  std::uint32_t width = 640, height = 480;   // [px]
+  std::uint32_t rate = 30;                   // [1/s]
+  std::uint32_t format = V4L2_PIX_FMT_YUYV;  // of the device, or a compressed one such as V4L2_PIX_FMT_MJPEG
+  bool turned = false;                       // the camera is mounted upside down
 
   /// Values of the driver's controls, by the names in kControls. A control that the device lacks causes one warning.
   std::map<std::string, std::int32_t> controls;
@@ -27,7 +31,7 @@ struct CameraSettings {
 /// name.
 std::optional<std::uint32_t> control_id(const std::string& name);
 
-/// A device that streams YUYV into buffers shared with the kernel. Used by one thread; the device outlives it.
+/// A device that streams into buffers shared with the kernel. Used by one thread; the device outlives it.
 class VideoCapture {
  public:
   static constexpr std::uint32_t kBuffers = 3;
@@ -42,7 +46,8 @@ class VideoCapture {
 
   struct Frame {
     const char* pixels = nullptr;  // rows of `stride` bytes, in the sensor's order
-    std::uint32_t stride = 0;
+    std::uint32_t stride = 0;      // 0: compressed
+    std::size_t bytes = 0;         // of the whole frame
     std::uint64_t capture_ns = 0;  // [ns, monotonic clock] time stamp of the kernel
     std::uint32_t buffer = 0;
   };
@@ -52,7 +57,7 @@ class VideoCapture {
   Result<std::optional<Frame>> newest(int patience_ms);
   void give_back(const Frame& frame);
 
-  /// Appends the frame to `image`, upright and without padding. This is the only copy.
+  /// Appends the YUYV frame to `image`, upright and without padding. This is the only copy.
   void copy(const Frame& frame, std::string& image) const;
 
   std::uint64_t passed_over() const { return passed_over_; }  // frames replaced by a newer one
