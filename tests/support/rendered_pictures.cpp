@@ -2,6 +2,7 @@
 
 #include <apriltag/apriltag.h>
 #include <apriltag/tag36h11.h>
+#include <turbojpeg.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,8 @@
 #include <numbers>
 #include <random>
 
+#include "robot/truth/tags/picture_codec.h"
+
 namespace tests {
 namespace {
 
@@ -18,7 +21,7 @@ using robot::truth::tags::Camera;
 using robot::truth::tags::Picture;
 using robot::truth::tags::PictureSize;
 
-constexpr int kSamples = 4;  // along each side of a pixel
+constexpr int kSamples = 3;  // along each side of a pixel
 const Light kCarpet{0.05f, 0.22f, 0.06f}, kWhite{0.8f, 0.8f, 0.8f}, kBlack{0.03f, 0.03f, 0.03f};
 
 class PrintedTag final : public Thing {
@@ -262,6 +265,22 @@ Picture Renderer::render(const Things& things, const Conditions& conditions) con
     }
   }
   return picture;
+}
+
+std::string jpeg_of(const Picture& picture, int quality) {
+  tjhandle encoder = tjInitCompress();
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  tjCompress2(encoder, picture.rgb.data(), picture.size.width, 0, picture.size.height, TJPF_RGB, &bytes, &size,
+              TJSAMP_422, quality, 0);
+  std::string jpeg(reinterpret_cast<const char*>(bytes), size);
+  tjFree(bytes);
+  tjDestroy(encoder);
+  return jpeg;
+}
+
+Picture as_jpeg(const Picture& picture, int quality) {
+  return *robot::truth::tags::decode_picture(jpeg_of(picture, quality));
 }
 
 Camera camera_above(const Eigen::Vector3d& from, const Eigen::Vector2d& target, PictureSize size, double focal) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "robot/truth/tags/camera.h"
@@ -69,6 +70,12 @@ class Renderer {
   std::vector<Eigen::Vector3d> ways_;  // through the corners of all pixels [field]
   std::vector<Light> empty_;           // the picture of the empty field
 };
+
+/// Returns the JPEG of a picture, 4:2:2.
+std::string jpeg_of(const robot::truth::tags::Picture& picture, int quality);
+
+/// Returns the picture after compression as a JPEG.
+robot::truth::tags::Picture as_jpeg(const robot::truth::tags::Picture& picture, int quality);
 
 /// Returns a camera of this size whose optical axis points to `target` on the carpet. Its picture's upper edge is away from
 /// it; straight above the target it points to +y.

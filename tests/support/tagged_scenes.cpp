@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -17,7 +18,9 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kUnknownId = 400;
 const Light kShell{0.6f, 0.6f, 0.62f}, kOrange{0.75f, 0.2f, 0.02f}, kArm{0.5f, 0.1f, 0.1f};
 
-double uniform(std::mt19937& random, double from, double to) { return from + (to - from) * static_cast<double>(random()) / 4294967296.0; }
+double uniform(std::mt19937& random, double from, double to) {
+  return from + (to - from) * static_cast<double>(random()) / 4294967296.0;
+}
 
 /// Returns a number of deviation 1 that is nearly normal: the sum of twelve uniform ones.
 double nearly_normal(std::mt19937& random) {
@@ -67,7 +70,10 @@ void add_robot(TaggedScene& scene, std::mt19937& random, int id, const TaggedRob
   const Eigen::Isometry3d pose = robot.lies ? lying_tag(robot) : swaying_tag(random, robot, mounting);
   scene.things.push_back(printed_tag(id, pose, mounting.edge));
   if (!robot.lies) scene.things.push_back(cylinder(place, 0.11, mounting.height - 0.03, kShell));
-  if (random() % 10 == 0) {
+  robot.field_from_tag = pose;
+  robot.edge = mounting.edge;
+  robot.touched = random() % 10 == 0;
+  if (robot.touched) {
     const Eigen::Vector3d beside{uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), 0.08};
     scene.things.push_back(sphere(pose.translation() + beside, 0.03, kArm));
   }
@@ -119,6 +125,22 @@ TaggedScene random_scene(std::mt19937& random) {
   scene.ball = free_place(random, places);
   scene.things.push_back(sphere({scene.ball.x(), scene.ball.y(), kSceneBallRadius}, kSceneBallRadius, kOrange));
   return scene;
+}
+
+bool shows_ball(const TaggedScene& scene, const Camera& camera) {
+  const Eigen::Vector3d ball{scene.ball.x(), scene.ball.y(), kSceneBallRadius};
+  const auto pixel = camera.pixel(ball);
+  const auto& picture = camera.lens.intrinsics;
+  const double margin = 15;  // [px] more than its radius
+  if (!pixel || pixel->minCoeff() < margin || pixel->x() > picture.width - margin ||
+      pixel->y() > picture.height - margin)
+    return false;
+  const Eigen::Vector3d from = camera.field_from_camera.translation();
+  const auto hides = [&](const std::unique_ptr<Thing>& thing) {
+    const auto hit = thing->hit(from, ball - from);
+    return hit && hit->distance > 0 && hit->distance < 1 - 2 * kSceneBallRadius / (ball - from).norm();
+  };
+  return std::none_of(scene.things.begin(), scene.things.end(), hides);
 }
 
 }  // namespace tests

@@ -16,6 +16,9 @@ struct TrueRobot {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();  // [m] between the feet; of a lying robot below its tag
   double heading = 0;                               // [rad]
   bool lies = false;
+  Eigen::Isometry3d field_from_tag = Eigen::Isometry3d::Identity();
+  double edge = 0;       // [m] of its tag
+  bool touched = false;  // something is near the tag and may hide it
 };
 
 struct TaggedScene {
@@ -38,5 +41,8 @@ robot::truth::tags::Camera random_camera(std::mt19937& random);
 /// Returns up to six robots on 4.4 x 3.2 m, at least 0.4 m apart: they sway by 2° and 5 mm, one of 30 lies, and another
 /// robot hides a part of one of 10 tags. A robot carries a tag that the plan lacks, and a ball lies between the robots.
 TaggedScene random_scene(std::mt19937& random);
+
+/// Reports whether the middle of the ball's picture is within the picture and not hidden.
+bool shows_ball(const TaggedScene& scene, const robot::truth::tags::Camera& camera);
 
 }  // namespace tests

@@ -53,7 +53,7 @@ struct TagDetector::Library {
     // no corrected bit: a wrong identity is worse than a tag that is missed once
     apriltag_detector_add_family_bits(detector, family, 0);
     detector->nthreads = options.threads;
-    detector->quad_decimate = 1;  // half the resolution would double the error of small tags
+    detector->quad_decimate = static_cast<float>(options.shrink);
   }
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;

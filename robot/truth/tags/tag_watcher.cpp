@@ -7,10 +7,11 @@
 
 namespace robot::truth::tags {
 
-Result<TagWatcher> TagWatcher::create(Camera camera, TagPlan plan, BallLook ball, int threads) {
-  Result<TagDetector> detector = TagDetector::create({.family = plan.family, .threads = threads});
+Result<TagWatcher> TagWatcher::create(Camera camera, TagPlan plan, const WatchOptions& options) {
+  Result<TagDetector> detector =
+      TagDetector::create({.family = plan.family, .threads = options.threads, .shrink = options.shrink});
   if (!detector) return detector.failure();
-  return TagWatcher(std::move(camera), std::move(plan), ball, *std::move(detector));
+  return TagWatcher(std::move(camera), std::move(plan), options.ball, *std::move(detector));
 }
 
 TagWatcher::TagWatcher(Camera camera, TagPlan plan, BallLook ball, TagDetector detector)

@@ -14,12 +14,17 @@
 
 namespace robot::truth::tags {
 
+struct WatchOptions {
+  BallLook ball;
+  int threads = 1;    // that search for tags
+  double shrink = 1;  // as DetectorOptions::shrink
+};
+
 /// The observer of one calibrated camera. Used by one thread.
 class TagWatcher {
  public:
-  /// Returns an Error without libapriltag in the build, or if the plan's family is unknown. `threads` serve the search
-  /// for tags.
-  static Result<TagWatcher> create(Camera camera, TagPlan plan, BallLook ball = {}, int threads = 1);
+  /// Returns an Error without libapriltag in the build, or if the plan's family is unknown.
+  static Result<TagWatcher> create(Camera camera, TagPlan plan, const WatchOptions& options = {});
 
   /// Returns the things in a picture; `detected_ns` is left to the caller's clock. Returns an Error if the picture has
   /// another size than the calibration.
