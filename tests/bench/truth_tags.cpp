@@ -13,6 +13,7 @@
 
 #include "robot/core/clock.h"
 #include "robot/truth/tags/tag_watcher.h"
+#include "tests/support/jpeg_pictures.h"
 #include "tests/support/rendered_pictures.h"
 #include "tests/support/tagged_scenes.h"
 
@@ -30,8 +31,8 @@ using tests::TrueRobot;
 struct Account {
   std::vector<double> position_cm, heading_deg, lying_cm, touched_cm, ball_cm, milliseconds;
   double normalised = 0;  // sum of squared errors of places, each divided by its covariance
-  int frames = 0, robots = 0, found = 0, lying_robots = 0, lying_found = 0, balls = 0, balls_found = 0, wrong_identities = 0,
-      wrong_postures = 0, false_balls = 0;
+  int frames = 0, robots = 0, found = 0, lying_robots = 0, lying_found = 0, balls = 0, balls_found = 0,
+      wrong_identities = 0, wrong_postures = 0, false_balls = 0;
 };
 
 double degrees(double radians) {
@@ -126,9 +127,8 @@ void print(const std::string& name, const Account& account) {
       quantile(account.heading_deg, 1), share(account.found, account.robots), account.wrong_identities,
       account.wrong_postures, account.normalised / 2 / exact, share(account.lying_found, account.lying_robots),
       mean(account.lying_cm), quantile(account.lying_cm, 0.95), mean(account.touched_cm),
-      quantile(account.touched_cm, 0.95), quantile(account.touched_cm, 1),
-      share(account.balls_found, account.balls), mean(account.ball_cm),
-      quantile(account.ball_cm, 0.95), account.false_balls, quantile(account.milliseconds, 0.5),
+      quantile(account.touched_cm, 0.95), quantile(account.touched_cm, 1), share(account.balls_found, account.balls),
+      mean(account.ball_cm), quantile(account.ball_cm, 0.95), account.false_balls, quantile(account.milliseconds, 0.5),
       quantile(account.milliseconds, 0.95));
   std::fflush(stdout);
 }

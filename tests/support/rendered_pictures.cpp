@@ -2,7 +2,6 @@
 
 #include <apriltag/apriltag.h>
 #include <apriltag/tag36h11.h>
-#include <turbojpeg.h>
 
 #include <algorithm>
 #include <array>
@@ -12,14 +11,11 @@
 #include <numbers>
 #include <random>
 
-#include "robot/truth/tags/picture_codec.h"
-
 namespace tests {
 namespace {
 
 using robot::truth::tags::Camera;
 using robot::truth::tags::Picture;
-using robot::truth::tags::PictureSize;
 
 constexpr int kSamples = 3;  // along each side of a pixel
 const Light kCarpet{0.05f, 0.22f, 0.06f}, kWhite{0.8f, 0.8f, 0.8f}, kBlack{0.03f, 0.03f, 0.03f};
@@ -175,11 +171,6 @@ std::unique_ptr<Thing> cylinder(const Eigen::Vector2d& place, double radius, dou
   return std::make_unique<Cylinder>(place, radius, height, light);
 }
 
-Eigen::Isometry3d flat_tag(const Eigen::Vector3d& centre, double turn) {
-  const double quarter = std::numbers::pi / 2;
-  return Eigen::Translation3d(centre) * Eigen::AngleAxisd(turn - quarter, Eigen::Vector3d::UnitZ());
-}
-
 Renderer::Renderer(const Camera& camera)
     : camera_(camera), width_(camera.lens.intrinsics.width), height_(camera.lens.intrinsics.height) {
   for (int y = 0; y <= height_; ++y)
@@ -265,39 +256,6 @@ Picture Renderer::render(const Things& things, const Conditions& conditions) con
     }
   }
   return picture;
-}
-
-std::string jpeg_of(const Picture& picture, int quality) {
-  tjhandle encoder = tjInitCompress();
-  unsigned char* bytes = nullptr;
-  unsigned long size = 0;
-  tjCompress2(encoder, picture.rgb.data(), picture.size.width, 0, picture.size.height, TJPF_RGB, &bytes, &size,
-              TJSAMP_422, quality, 0);
-  std::string jpeg(reinterpret_cast<const char*>(bytes), size);
-  tjFree(bytes);
-  tjDestroy(encoder);
-  return jpeg;
-}
-
-Picture as_jpeg(const Picture& picture, int quality) {
-  return *robot::truth::tags::decode_picture(jpeg_of(picture, quality));
-}
-
-Camera camera_above(const Eigen::Vector3d& from, const Eigen::Vector2d& target, PictureSize size, double focal) {
-  Camera camera;
-  camera.lens.intrinsics = {.width = size.width,
-                            .height = size.height,
-                            .focal_x = focal,
-                            .focal_y = focal,
-                            .centre_x = size.width / 2.0,
-                            .centre_y = size.height / 2.0,
-                            .baseline = 0};
-  const Eigen::Vector3d forward = (Eigen::Vector3d(target.x(), target.y(), 0) - from).normalized();
-  const Eigen::Vector3d away = forward.head<2>().norm() > 1e-6 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d right = forward.cross(away).normalized();
-  camera.field_from_camera.linear() << right, forward.cross(right), forward;
-  camera.field_from_camera.translation() = from;
-  return camera;
 }
 
 }  // namespace tests

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "robot/truth/tags/camera.h"
@@ -40,9 +39,6 @@ std::unique_ptr<Thing> sphere(const Eigen::Vector3d& middle, double radius, cons
 /// A cylinder that stands on the carpet: a robot's body.
 std::unique_ptr<Thing> cylinder(const Eigen::Vector2d& place, double radius, double height, const Light& light);
 
-/// Returns the pose of a flat tag: the upper edge points to `turn` [rad].
-Eigen::Isometry3d flat_tag(const Eigen::Vector3d& centre, double turn);
-
 /// The light of a room and the weaknesses of a camera.
 struct Conditions {
   double brightness = 1;   // of the light in the middle of the picture
@@ -70,16 +66,5 @@ class Renderer {
   std::vector<Eigen::Vector3d> ways_;  // through the corners of all pixels [field]
   std::vector<Light> empty_;           // the picture of the empty field
 };
-
-/// Returns the JPEG of a picture, 4:2:2.
-std::string jpeg_of(const robot::truth::tags::Picture& picture, int quality);
-
-/// Returns the picture after compression as a JPEG.
-robot::truth::tags::Picture as_jpeg(const robot::truth::tags::Picture& picture, int quality);
-
-/// Returns a camera of this size whose optical axis points to `target` on the carpet. Its picture's upper edge is away from
-/// it; straight above the target it points to +y.
-robot::truth::tags::Camera camera_above(const Eigen::Vector3d& from, const Eigen::Vector2d& target,
-                                        robot::truth::tags::PictureSize size, double focal);
 
 }  // namespace tests

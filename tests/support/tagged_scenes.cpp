@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "tests/support/camera_above.h"
+
 namespace tests {
 namespace {
 
@@ -14,7 +16,6 @@ using robot::truth::tags::Mounting;
 using robot::truth::tags::TaggedRobot;
 using robot::truth::tags::TagPlan;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kUnknownId = 400;
 const Light kShell{0.6f, 0.6f, 0.62f}, kOrange{0.75f, 0.2f, 0.02f}, kArm{0.5f, 0.1f, 0.1f};
 
