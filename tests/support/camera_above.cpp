@@ -3,7 +3,6 @@
 namespace tests {
 
 using robot::truth::tags::Camera;
-using robot::truth::tags::Corners;
 using robot::truth::tags::PictureSize;
 
 Camera camera_above(const Eigen::Vector3d& from, const Eigen::Vector2d& target, PictureSize size, double focal) {
@@ -25,12 +24,6 @@ Camera camera_above(const Eigen::Vector3d& from, const Eigen::Vector2d& target, 
 
 Eigen::Isometry3d flat_tag(const Eigen::Vector3d& centre, double turn) {
   return Eigen::Translation3d(centre) * Eigen::AngleAxisd(turn - 90 * kDegree, Eigen::Vector3d::UnitZ());
-}
-
-Corners corners_of(const Camera& camera, const Eigen::Isometry3d& field_from_tag, double edge) {
-  const double half = edge / 2;
-  const auto at = [&](double x, double y) { return *camera.pixel(field_from_tag * Eigen::Vector3d(x, y, 0)); };
-  return {at(-half, -half), at(half, -half), at(half, half), at(-half, half)};
 }
 
 }  // namespace tests

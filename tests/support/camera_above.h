@@ -1,4 +1,4 @@
-// Cameras that look at the field, and the corners of tags in their pictures. Exact: nothing is rendered.
+// Cameras that look at the field, and poses of tags.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -6,7 +6,6 @@
 
 #include "robot/truth/tags/camera.h"
 #include "robot/truth/tags/picture.h"
-#include "robot/truth/tags/seen_tag.h"
 
 namespace tests {
 
@@ -19,9 +18,5 @@ robot::truth::tags::Camera camera_above(const Eigen::Vector3d& from, const Eigen
 
 /// Returns the pose of a flat tag: the upper edge points to `turn` [rad]. Frame `tag` as in robot/truth/tags/tag_pose.h.
 Eigen::Isometry3d flat_tag(const Eigen::Vector3d& centre, double turn);
-
-/// Returns the corners of a tag with this edge [m], all in front of the camera.
-robot::truth::tags::Corners corners_of(const robot::truth::tags::Camera& camera,
-                                       const Eigen::Isometry3d& field_from_tag, double edge);
 
 }  // namespace tests

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 namespace robot::truth::tags {
@@ -14,8 +15,9 @@ namespace {
 constexpr double kHeightDeviation = 0.01;                      // [m] of a walking robot
 constexpr double kTiltDeviation = 5 * std::numbers::pi / 180;  // [rad] likewise
 
-using Residuals = Eigen::Matrix<double, 11, 1>;  // 8 of the corners, the height, 2 of the tilt; in standard deviations
-using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Residuals = Eigen::Matrix<double, 12, 1>;  // 8 of the corners, the shine, the height, 2 of the tilt
+using Vector7 = Eigen::Matrix<double, 7, 1>;     // 3 of the centre, 3 of the turn, the shine
+using Matrix7 = Eigen::Matrix<double, 7, 7>;
 
 /// The problem of least squares for one tag.
 struct Problem {
@@ -25,40 +27,47 @@ struct Problem {
   std::optional<double> height;  // [m] of a standing robot's tag; nothing: the pose is free
 };
 
+/// A solution.
+struct State {
+  Eigen::Isometry3d field_from_tag;
+  double shine = kShine;  // [px]
+};
+
 std::array<Eigen::Vector3d, 4> corners_of_print(double edge) {
   const double half = edge / 2;
   return {{{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}};
 }
 
-std::optional<Residuals> residuals_of(const Problem& problem, const Eigen::Isometry3d& field_from_tag) {
+std::optional<Residuals> residuals_of(const Problem& problem, const State& state) {
+  const auto expected = corners_in_picture(problem.camera, state.field_from_tag, problem.edge, state.shine);
+  if (!expected) return std::nullopt;
   Residuals residuals = Residuals::Zero();
-  const auto print = corners_of_print(problem.edge);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto pixel = problem.camera.pixel(field_from_tag * print[i]);
-    if (!pixel) return std::nullopt;
-    residuals.segment<2>(static_cast<Eigen::Index>(2 * i)) = (*pixel - problem.corners[i]) / kCornerDeviation;
-  }
+  for (std::size_t i = 0; i < 4; ++i)
+    residuals.segment<2>(static_cast<Eigen::Index>(2 * i)) = ((*expected)[i] - problem.corners[i]) / kCornerDeviation;
+  residuals[8] = (state.shine - kShine) / kShineDeviation;
   if (!problem.height) return residuals;
-  residuals[8] = (field_from_tag.translation().z() - *problem.height) / kHeightDeviation;
-  residuals.tail<2>() = field_from_tag.linear().col(2).head<2>() / kTiltDeviation;
+  residuals[9] = (state.field_from_tag.translation().z() - *problem.height) / kHeightDeviation;
+  residuals.tail<2>() = state.field_from_tag.linear().col(2).head<2>() / kTiltDeviation;
   return residuals;
 }
 
-/// Returns the pose moved [m, field] and turned [rad] about the field's axes at the tag's centre.
-Eigen::Isometry3d moved(const Eigen::Isometry3d& pose, const Vector6& step) {
-  Eigen::Isometry3d result = pose;
-  const double angle = step.tail<3>().norm();
-  if (angle > 0) result.linear() = Eigen::AngleAxisd(angle, step.tail<3>() / angle) * pose.linear();
-  result.translation() += step.head<3>();
+/// Returns the state after a step: moved [m, field], turned [rad] about the field's axes at the tag's centre, more shine.
+State moved(const State& state, const Vector7& step) {
+  State result = state;
+  const Eigen::Vector3d turn = step.segment<3>(3);
+  if (turn.norm() > 0)
+    result.field_from_tag.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * state.field_from_tag.linear();
+  result.field_from_tag.translation() += step.head<3>();
+  result.shine += step[6];
   return result;
 }
 
-std::optional<Eigen::Matrix<double, 11, 6>> derivative_of(const Problem& problem, const Eigen::Isometry3d& pose) {
-  constexpr double kStep = 1e-6;  // [m], [rad]
-  Eigen::Matrix<double, 11, 6> derivative;
-  for (Eigen::Index i = 0; i < 6; ++i) {
-    const auto more = residuals_of(problem, moved(pose, kStep * Vector6::Unit(i)));
-    const auto less = residuals_of(problem, moved(pose, -kStep * Vector6::Unit(i)));
+std::optional<Eigen::Matrix<double, 12, 7>> derivative_of(const Problem& problem, const State& state) {
+  constexpr double kStep = 1e-6;  // [m], [rad], [px]
+  Eigen::Matrix<double, 12, 7> derivative;
+  for (Eigen::Index i = 0; i < 7; ++i) {
+    const auto more = residuals_of(problem, moved(state, kStep * Vector7::Unit(i)));
+    const auto less = residuals_of(problem, moved(state, -kStep * Vector7::Unit(i)));
     if (!more || !less) return std::nullopt;
     derivative.col(i) = (*more - *less) / (2 * kStep);
   }
@@ -68,29 +77,32 @@ std::optional<Eigen::Matrix<double, 11, 6>> derivative_of(const Problem& problem
 /// Returns the pose of least squares near `start`, by Levenberg and Marquardt.
 std::optional<TagPose> solve(const Problem& problem, const Eigen::Isometry3d& start) {
   constexpr int kMostSteps = 30;
-  TagPose result{.field_from_tag = start};
-  auto residuals = residuals_of(problem, start);
+  State state{.field_from_tag = start};
+  auto residuals = residuals_of(problem, state);
+  Matrix7 covariance = Matrix7::Constant(std::numeric_limits<double>::quiet_NaN());
   double damping = 1e-3;
   for (int step = 0; residuals && step < kMostSteps; ++step) {
-    const auto derivative = derivative_of(problem, result.field_from_tag);
+    const auto derivative = derivative_of(problem, state);
     if (!derivative) return std::nullopt;
-    const Eigen::Matrix<double, 6, 6> information = derivative->transpose() * *derivative;
-    result.covariance = information.inverse();
-    Eigen::Matrix<double, 6, 6> damped = information;
+    const Matrix7 information = derivative->transpose() * *derivative;
+    covariance = information.inverse();
+    Matrix7 damped = information;
     damped.diagonal() *= 1 + damping;
-    const Vector6 way = -damped.ldlt().solve(derivative->transpose() * *residuals);
-    const Eigen::Isometry3d next = moved(result.field_from_tag, way);
+    const Vector7 way = -damped.ldlt().solve(derivative->transpose() * *residuals);
+    const State next = moved(state, way);
     const auto next_residuals = residuals_of(problem, next);
     const bool better = next_residuals && next_residuals->squaredNorm() <= residuals->squaredNorm();
     damping = better ? damping / 10 : damping * 10;
-    if (!better) continue;
-    result.field_from_tag = next;
-    residuals = next_residuals;
+    if (better) {
+      state = next;
+      residuals = next_residuals;
+    }
     if (way.norm() < 1e-7) break;
   }
-  if (!residuals || !result.covariance.allFinite()) return std::nullopt;
-  result.miss = kCornerDeviation * residuals->head<8>().norm() / 2;  // 4 corners
-  return result;
+  if (!residuals || !covariance.allFinite()) return std::nullopt;
+  return TagPose{.field_from_tag = state.field_from_tag,
+                 .covariance = covariance.topLeftCorner<6, 6>(),
+                 .cost = residuals->squaredNorm()};
 }
 
 /// Returns the pose of a flat tag at `height`, from the rays of its corners.
@@ -150,6 +162,23 @@ Eigen::Isometry3d mirrored_pose(const Eigen::Isometry3d& camera_from_tag) {
 
 }  // namespace
 
+std::optional<Corners> corners_in_picture(const Camera& camera, const Eigen::Isometry3d& field_from_tag, double edge,
+                                          double shine) {
+  Corners full;
+  const auto print = corners_of_print(edge);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto pixel = camera.pixel(field_from_tag * print[i]);
+    if (!pixel) return std::nullopt;
+    full[i] = *pixel;
+  }
+  Corners corners = full;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector2d next = full[(i + 1) % 4] - full[i], last = full[(i + 3) % 4] - full[i];
+    corners[i] += shine * (next.normalized() + last.normalized());
+  }
+  return corners;
+}
+
 std::optional<TagPose> standing_pose(const Camera& camera, const Corners& corners, double edge, double height) {
   const Problem problem{camera, corners, edge, height};
   const auto start = flat_pose(problem, height);
@@ -163,7 +192,7 @@ std::optional<TagPose> free_pose(const Camera& camera, const Corners& corners, d
   const auto one = solve(problem, camera.field_from_camera * *start);
   const auto other = solve(problem, camera.field_from_camera * mirrored_pose(*start));
   if (!one || !other) return one ? one : other;
-  return one->miss <= other->miss ? one : other;
+  return one->cost <= other->cost ? one : other;
 }
 
 }  // namespace robot::truth::tags

@@ -13,9 +13,8 @@
 namespace robot::truth::tags {
 namespace {
 
-constexpr double kMostMiss = 1.0;                             // [px] of a pose that explains the corners
+constexpr double kMostCost = 35;  // of a right pose; a head that is bent by 25 degrees costs 25
 constexpr double kStandsBelow = 45 * std::numbers::pi / 180;  // [rad] a robot of more tilt has fallen
-constexpr double kMostHeightError = 0.08;  // [m] of a standing robot's tag; the apparent size shows it
 
 double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
@@ -47,14 +46,12 @@ SeenRobot lying_robot(const TagPose& pose) {
   return robot;
 }
 
-bool stands(const TagPose& pose, const Mounting& mounting) {
-  return pose.miss <= kMostMiss && pose.tilt() < kStandsBelow &&
-         std::abs(pose.height() - mounting.height) < kMostHeightError;
-}
+bool stands(const TagPose& pose) { return pose.cost <= kMostCost && pose.tilt() < kStandsBelow; }
 
 bool lies(const TagPose& pose, const Mounting& mounting) {
-  return pose.miss <= kMostMiss && pose.tilt() >= kStandsBelow && pose.height() < mounting.height / 2 &&
-         pose.height() > -kMostHeightError;
+  constexpr double kLowest = -0.08;  // [m] as exact as a height without a prior is
+  return pose.cost <= kMostCost && pose.tilt() >= kStandsBelow && pose.height() > kLowest &&
+         pose.height() < mounting.height / 2;
 }
 
 SeenRobot identified(SeenRobot robot, const TaggedRobot& carrier) {
@@ -66,7 +63,7 @@ SeenRobot identified(SeenRobot robot, const TaggedRobot& carrier) {
 std::optional<SeenRobot> robot_of(const Camera& camera, const SeenTag& tag, const TaggedRobot& carrier) {
   const Mounting& mounting = carrier.mounting;
   const auto upright = standing_pose(camera, tag.corners, mounting.edge, mounting.height);
-  if (upright && stands(*upright, mounting)) return identified(standing_robot(*upright, mounting), carrier);
+  if (upright && stands(*upright)) return identified(standing_robot(*upright, mounting), carrier);
   const auto fallen = free_pose(camera, tag.corners, mounting.edge);
   if (fallen && lies(*fallen, mounting)) return identified(lying_robot(*fallen), carrier);
   return std::nullopt;

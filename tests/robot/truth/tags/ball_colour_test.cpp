@@ -58,7 +58,7 @@ TEST(BallColour, APartlyHiddenBallHasAGreaterDeviation) {
   Things whole, part;
   whole.push_back(ball_at(0.2, 0.1));
   part.push_back(ball_at(0.2, 0.1));
-  part.push_back(tests::cylinder({0.13, 0.11}, 0.04, 0.05, {0.5f, 0.5f, 0.5f}));
+  part.push_back(tests::cylinder({0.13, 0.08}, 0.035, 0.1, {0.5f, 0.5f, 0.5f}));
   const auto all = seen(whole), some = seen(part);
   ASSERT_TRUE(all && some);
   EXPECT_GT(some->place.covariance.trace(), 2 * all->place.covariance.trace());

@@ -4,18 +4,19 @@
 
 #include <numbers>
 
+#include "robot/truth/tags/tag_pose.h"
 #include "tests/support/camera_above.h"
 
 namespace {
 
 using robot::truth::SeenRobot;
 using robot::truth::tags::Camera;
+using robot::truth::tags::corners_in_picture;
 using robot::truth::tags::Mounting;
 using robot::truth::tags::RefusedTags;
 using robot::truth::tags::SeenTag;
 using robot::truth::tags::tagged_robots;
 using robot::truth::tags::TagPlan;
-using tests::corners_of;
 using tests::flat_tag;
 using tests::kDegree;
 
@@ -27,7 +28,7 @@ class TaggedRobots : public testing::Test {
   TaggedRobots() { plan_.tags[3] = {.team = 5, .player = 2, .mounting = kHead}; }
 
   SeenTag tag(int id, const Eigen::Isometry3d& pose, double edge = kHead.edge) const {
-    return {.id = id, .margin = 60, .corners = corners_of(camera_, pose, edge)};
+    return {.id = id, .margin = 60, .corners = *corners_in_picture(camera_, pose, edge)};
   }
   std::vector<SeenRobot> robots(const std::vector<SeenTag>& tags) {
     return tagged_robots(camera_, plan_, tags, refused_);
