@@ -257,7 +257,7 @@ export const rows = {
   "robot/truth/calibration": ["robot/core", "robot/truth/frame", "sim/math", "sim/field"],
   "robot/truth/detection": ["robot/core", "robot/truth/frame", "sim/math", "sim/field"],
   "robot/truth/tracks": ["robot/core", "robot/truth/frame"],
-  "robot/truth/tags": ["robot/core", "robot/image", "robot/truth/frame", "robot/truth/calibration"],
+  "robot/truth/tags": ["robot/core", "robot/nao/camera", "robot/truth/frame", "robot/truth/calibration"],
   "robot/truth/feeds": ["robot/core", "robot/truth/frame", "proto"],
   "robot/truth": [
     "robot/truth/sensor",

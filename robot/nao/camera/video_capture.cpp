@@ -104,12 +104,13 @@ Result<void> VideoCapture::set_format() {
   if (const int error = device_->control(VIDIOC_S_FMT, &format)) return refused("it to take a format", error);
   // the driver answers with the nearest format that it supports
   const v4l2_pix_format& got = format.fmt.pix;
+  const bool compressed = settings_.format != V4L2_PIX_FMT_YUYV && settings_.format != V4L2_PIX_FMT_Z16;
   if (got.width != settings_.width || got.height != settings_.height || got.pixelformat != settings_.format ||
-      got.bytesperline < 2 * settings_.width)
+      (!compressed && got.bytesperline < 2 * settings_.width))
     return Error{"camera " + settings_.device.string() + ": expected " + four_letters(settings_.format) + " " +
                  std::to_string(settings_.width) + "x" + std::to_string(settings_.height) + ", got " +
                  four_letters(got.pixelformat) + " " + std::to_string(got.width) + "x" + std::to_string(got.height)};
-  stride_ = got.bytesperline;
+  stride_ = compressed ? 0 : got.bytesperline;
 
   v4l2_streamparm rate{};
   rate.type = kType;
@@ -159,10 +160,12 @@ Result<std::optional<VideoCapture::Frame>> VideoCapture::newest(int patience_ms)
     if (buffer.index >= buffers_.size()) return refused("one of our buffers", EPROTO);
     const Frame frame{.pixels = static_cast<const char*>(buffers_[buffer.index].memory),
                       .stride = stride_,
+                      .bytes = buffer.bytesused,
                       .capture_ns = capture_ns_of(buffer),
                       .buffer = buffer.index};
     // the frame is damaged or incomplete
-    const bool damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || buffer.bytesused < stride_ * settings_.height;
+    const bool damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || buffer.bytesused == 0 ||
+                         buffer.bytesused < stride_ * settings_.height;
     if (damaged) {
       give_back(frame);
       continue;

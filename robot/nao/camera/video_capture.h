@@ -3,6 +3,7 @@
 
 #include <linux/videodev2.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -17,10 +18,11 @@ namespace robot::nao {
 
 struct CameraSettings {
   std::filesystem::path device;
-  std::uint32_t width = 640, height = 480;   // [px]
-  std::uint32_t rate = 30;                   // [1/s]
-  std::uint32_t format = V4L2_PIX_FMT_YUYV;  // of the device; or another one with 2 bytes per pixel: V4L2_PIX_FMT_Z16
-  bool turned = false;                       // the camera is mounted upside down; YUYV only
+  std::uint32_t width = 640, height = 480;  // [px]
+  std::uint32_t rate = 30;                  // [1/s]
+  /// Of the device: YUYV, or another one with 2 bytes per pixel (V4L2_PIX_FMT_Z16), or a compressed one (V4L2_PIX_FMT_MJPEG).
+  std::uint32_t format = V4L2_PIX_FMT_YUYV;
+  bool turned = false;  // the camera is mounted upside down; YUYV only
 
   /// Values of the driver's controls, by the names in kControls. A control that the device lacks causes one warning.
   std::map<std::string, std::int32_t> controls;
@@ -45,7 +47,8 @@ class VideoCapture {
 
   struct Frame {
     const char* pixels = nullptr;  // rows of `stride` bytes, in the sensor's order
-    std::uint32_t stride = 0;
+    std::uint32_t stride = 0;      // 0: compressed
+    std::size_t bytes = 0;         // of the whole frame
     std::uint64_t capture_ns = 0;  // [ns, monotonic clock] time stamp of the kernel
     std::uint32_t buffer = 0;
   };
@@ -55,7 +58,7 @@ class VideoCapture {
   Result<std::optional<Frame>> newest(int patience_ms);
   void give_back(const Frame& frame);
 
-  /// Appends the frame to `image`, upright and without padding. This is the only copy.
+  /// Appends the YUYV frame to `image`, upright and without padding. This is the only copy.
   void copy(const Frame& frame, std::string& image) const;
 
   std::uint64_t passed_over() const { return passed_over_; }  // frames replaced by a newer one

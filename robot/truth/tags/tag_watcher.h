@@ -1,0 +1,49 @@
+// Pictures to ground truth: robots by their printed tags, the ball by its colour.
+#pragma once
+
+#include <string>
+
+#include "robot/core/result.h"
+#include "robot/truth/frame/detections.h"
+#include "robot/truth/tags/ball_colour.h"
+#include "robot/truth/tags/camera.h"
+#include "robot/truth/tags/picture.h"
+#include "robot/truth/tags/tag_detector.h"
+#include "robot/truth/tags/tag_plan.h"
+#include "robot/truth/tags/tagged_robots.h"
+
+namespace robot::truth::tags {
+
+struct WatchOptions {
+  BallLook ball;
+  int threads = 1;    // that search for tags
+  double shrink = 1;  // as DetectorOptions::shrink
+};
+
+/// The observer of one calibrated camera. Used by one thread.
+class TagWatcher {
+ public:
+  /// Returns an Error without libapriltag in the build, or if the plan's family is unknown.
+  static Result<TagWatcher> create(Camera camera, TagPlan plan, const WatchOptions& options = {});
+
+  /// Returns the things in a picture; `detected_ns` is left to the caller's clock. Returns an Error if the picture has
+  /// another size than the calibration.
+  Result<Detections> look(const Picture& picture);
+
+  /// Returns the counts of tags that gave no robot, since the start.
+  const RefusedTags& refused() const { return refused_; }
+
+ private:
+  TagWatcher(Camera camera, TagPlan plan, BallLook ball, TagDetector detector);
+
+  Camera camera_;
+  TagPlan plan_;
+  BallLook ball_;
+  TagDetector detector_;
+  RefusedTags refused_;
+};
+
+/// Returns the lines about ordinary cameras for --help: the sources, and whether this build sees printed tags.
+std::string describe_cameras();
+
+}  // namespace robot::truth::tags
