@@ -12,7 +12,9 @@ class TruthCommand final : public Command {
       : Command(app.add_subcommand("truth",
                                    "watch the field with depth cameras: ground truth for viewers and recordings")) {
     options().footer(
-        "sources:\n  synthetic    a depth camera that looks at a simulated game; synthetic:2 is on the other side\n" +
+        "sources:\n  synthetic    a depth camera that looks at a simulated game; synthetic:2 is on the other side\n"
+        "  ssl-vision   packets of SSL-Vision; or ssl-vision:GROUP:PORT\n"
+        "  door         a process of your own, such as robot/client/examples/truth.py\n" +
         truth::describe_sources());
     options()
         .add_option("--source", truth_.sources, "a sensor or a recording, see below; once for each sensor")
@@ -30,6 +32,10 @@ class TruthCommand final : public Command {
     options().add_option("--away", truth_.away, "strategy of the simulated game")->capture_default_str();
     options().add_option("--models", truth_.models, "models of the simulated game")->capture_default_str();
     options().add_option("--seed", truth_.seed, "seed of the simulated game")->capture_default_str();
+    options().add_option("--yellow", truth_.teams.yellow, "team of SSL-Vision's yellow robots")->capture_default_str();
+    options().add_option("--blue", truth_.teams.blue, "team of SSL-Vision's blue robots")->capture_default_str();
+    options().add_option("--interface", truth_.interface, "network interface of SSL-Vision's packets; default: all");
+    options().add_option("--door", truth_.door, "socket of --source door; default: that of a robot's door");
     options().add_flag("--record", truth_.record, "record from the start, without images");
     options().add_flag("--record-images", truth_.record_images, "record images too: 18 MB a second and sensor");
     options().add_option("--name", truth_.name, "name of the session that --record begins");

@@ -49,23 +49,25 @@ class PeekedSource final : public truth::DepthSource {
 
 }  // namespace
 
-OpenedSources::OpenedSources(const TruthOptions& options, const sim::field::Rules& rules)
+OpenedSources::OpenedSources(const TruthOptions& options, const std::vector<std::string>& sensors,
+                             const sim::field::Rules& rules)
     : options_(options),
+      addresses_(sensors),
       rules_(rules),
       ball_radius_(options.ball_radius > 0 ? options.ball_radius
                    : rules.ball_radius > 0 ? double{rules.ball_radius}
                                            : kBallRadius) {}
 
-Result<OpenedSources> OpenedSources::open(const TruthOptions& options) {
-  if (options.sources.size() > truth::kMostSensors)
+Result<OpenedSources> OpenedSources::open(const TruthOptions& options, const std::vector<std::string>& sensors) {
+  if (sensors.size() > truth::kMostSensors)
     return Error{"--source: expected at most " + std::to_string(truth::kMostSensors) + " sensors, got " +
-                 std::to_string(options.sources.size())};
+                 std::to_string(sensors.size())};
   const auto rules = sim::io::load_rules(options.rules);
   if (!rules) return rules.failure("--rules");
-  OpenedSources opened(options, *rules);
-  const auto synthetic = std::count_if(options.sources.begin(), options.sources.end(),
+  OpenedSources opened(options, sensors, *rules);
+  const auto synthetic = std::count_if(sensors.begin(), sensors.end(),
                                        [](const std::string& address) { return mast_at(address) != nullptr; });
-  if (synthetic > 0 && synthetic < static_cast<std::ptrdiff_t>(options.sources.size()))
+  if (synthetic > 0 && synthetic < static_cast<std::ptrdiff_t>(sensors.size()))
     return Error{"--source: expected synthetic sensors only, or none"};
   Result<void> all = synthetic > 0 ? opened.open_synthetic() : opened.open_recordings_and_sensors();
   if (!all) return all.failure("--source");
@@ -83,7 +85,7 @@ Result<void> OpenedSources::open_synthetic() {
   if (!game) return game.failure();
   game_ = std::move(*game);
   ball_radius_ = double{game_->ball_radius()};
-  for (const std::string& address : options_.sources) {
+  for (const std::string& address : addresses_) {
     const truth::SensorPose pose = truth::mast(rules_.field, mast_at(address)->side);
     auto scene_at = [&looked = *game_, width = double{rules_.field.width}, radius = ball_radius_](
                         std::uint64_t capture_ns) { return scene_of(looked.at(capture_ns), radius, width); };
@@ -99,12 +101,11 @@ Result<void> OpenedSources::open_synthetic() {
 
 Result<void> OpenedSources::open_recordings_and_sensors() {
   std::uint64_t first_ns = std::numeric_limits<std::uint64_t>::max();
-  for (const std::string& address : options_.sources) {
+  for (const std::string& address : addresses_) {
     auto source = truth::open_source(address);
     if (!source) return source.failure();
     if (!sources_.empty() && sources_.front().source->live() != (*source)->live())
-      return Error{"expected live sensors only, or recordings only, got " + options_.sources.front() + " and " +
-                   address};
+      return Error{"expected live sensors only, or recordings only, got " + addresses_.front() + " and " + address};
     if (!(*source)->live()) {
       auto first = (*source)->next();
       if (first && *first) first_ns = std::min(first_ns, (*first)->capture_ns);

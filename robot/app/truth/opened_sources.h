@@ -16,9 +16,9 @@ namespace robot::app {
 /// The opened sources. Sensors and synthetic sensors live now; recordings live at the time of their first image.
 class OpenedSources {
  public:
-  /// Returns an Error for an address that cannot be opened, for recordings beside live sensors, for more sources than the
+  /// Opens the sensors with these addresses. Returns an Error for an address that cannot be opened, for recordings beside live sensors, for more sources than the
   /// tracks can use, and for wrong rules, strategies or models.
-  static Result<OpenedSources> open(const TruthOptions& options);
+  static Result<OpenedSources> open(const TruthOptions& options, const std::vector<std::string>& sensors);
 
   const SessionClock& clock() const { return *clock_; }
   const sim::field::Field& field() const { return rules_.field; }
@@ -37,12 +37,13 @@ class OpenedSources {
     std::optional<PlacedSensor> placed;  // of a synthetic sensor, which knows its place
   };
 
-  OpenedSources(const TruthOptions& options, const sim::field::Rules& rules);
+  OpenedSources(const TruthOptions& options, const std::vector<std::string>& sensors, const sim::field::Rules& rules);
 
   Result<void> open_recordings_and_sensors();
   Result<void> open_synthetic();
 
   TruthOptions options_;
+  std::vector<std::string> addresses_;
   sim::field::Rules rules_;
   double ball_radius_;
   std::unique_ptr<SessionClock> clock_;

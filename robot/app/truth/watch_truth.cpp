@@ -1,6 +1,6 @@
 #include "robot/app/truth/watch_truth.h"
 
-#include <algorithm>
+#include <charconv>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -10,7 +10,9 @@
 #include "robot/app/runtime.h"
 #include "robot/app/signals.h"
 #include "robot/app/truth/calibration_service.h"
+#include "robot/app/truth/feed_watch.h"
 #include "robot/app/truth/opened_sources.h"
+#include "robot/body/attached/truth_door.h"
 #include "robot/core/files.h"
 
 namespace robot::app {
@@ -25,6 +27,51 @@ struct FieldObjects {
 
   memory::MemoryObject<foresight::GroundTruth> world, simulated;
 };
+
+constexpr std::string_view kSslVision = "ssl-vision", kDoor = "door";
+
+/// The sources by their kind.
+struct Kinds {
+  std::vector<std::string> sensors;
+  std::optional<truth::MulticastAddress> ssl_vision;
+  bool door = false;
+};
+
+/// Parses "ssl-vision" or "ssl-vision:GROUP:PORT".
+Result<truth::MulticastAddress> multicast_of(const std::string& address, const std::string& interface) {
+  truth::MulticastAddress multicast{.interface = interface};
+  if (address == kSslVision) return multicast;
+  const std::size_t group = kSslVision.size() + 1, colon = address.find(':', group);
+  const std::string_view port = colon == std::string::npos ? "" : std::string_view(address).substr(colon + 1);
+  const auto [end, problem] = std::from_chars(port.data(), port.data() + port.size(), multicast.port);
+  if (problem != std::errc() || end != port.data() + port.size())
+    return Error{"--source: expected ssl-vision or ssl-vision:GROUP:PORT, got '" + address + "'"};
+  multicast.group = address.substr(group, colon - group);
+  return multicast;
+}
+
+Result<Kinds> kinds_of(const TruthOptions& options) {
+  Kinds kinds;
+  for (const std::string& address : options.sources) {
+    const std::string kind = address.substr(0, address.find(':'));
+    if (kind != kSslVision && kind != kDoor) {
+      kinds.sensors.push_back(address);
+      continue;
+    }
+    if (options.sources.size() > 1)
+      return Error{"--source: " + address + " must be the only source, got " + std::to_string(options.sources.size())};
+    if (address == kDoor) {
+      kinds.door = true;
+    } else if (kind == kDoor) {
+      return Error{"--source: expected door, got '" + address + "'; --door PATH names the socket"};
+    } else {
+      auto multicast = multicast_of(address, options.interface);
+      if (!multicast) return multicast.failure();
+      kinds.ssl_vision = std::move(*multicast);
+    }
+  }
+  return kinds;
+}
 
 RuntimeOptions runtime_options(const TruthOptions& options) {
   return {.program = "foresight-lab",
@@ -54,7 +101,9 @@ std::string recorded_objects(const memory::Channels& channels, bool images) {
 }  // namespace
 
 Result<void> watch_truth(const TruthOptions& options) {
-  auto sources = OpenedSources::open(options);
+  const auto kinds = kinds_of(options);
+  if (!kinds) return kinds.failure();
+  auto sources = OpenedSources::open(options, kinds->sensors);
   if (!sources) return sources.failure();
   if (const Result<void> usable = logging::check_session_name(options.name); !usable) return usable.failure("--name");
   auto calibrations =
@@ -78,6 +127,19 @@ Result<void> watch_truth(const TruthOptions& options) {
     if (Result<void> listed = watch->list(runtime.channels()); !listed) return listed;
   add_calibration_services(runtime.services(), {.field = sources->field(), .ball_radius = sources->ball_radius()},
                            watches, *calibrations);
+  std::unique_ptr<FeedWatch> feed;
+  if (kinds->ssl_vision) {
+    auto opened = truth::SslVisionFeed::open(*kinds->ssl_vision, options.teams, clock);
+    if (!opened) return opened.failure("--source");
+    feed = std::make_unique<FeedWatch>(std::move(*opened), clock, field->world);
+  }
+  std::unique_ptr<body::Door> door;
+  if (kinds->door) {
+    auto opened = body::open_truth_door(options.door.empty() ? body::default_door() : options.door, {}, clock,
+                                        runtime.channels(), runtime.board());
+    if (!opened) return opened.failure("--source");
+    door = std::move(*opened);
+  }
   if (Result<void> started = runtime.start(); !started) return started;
   const std::string objects = recorded_objects(runtime.channels(), options.record_images);
   if (Result<void> chosen = runtime.record_only(objects); !chosen) return chosen;
@@ -85,6 +147,8 @@ Result<void> watch_truth(const TruthOptions& options) {
     if (Result<void> recording = runtime.record(options.name, "full"); !recording) return recording;
   for (const auto& watch : watches)
     if (Result<void> started = watch->start(); !started) return started;
+  if (feed)
+    if (Result<void> started = feed->start(); !started) return started;
   runtime.run([] { return true; });
   for (const auto& watch : watches) watch->stop();
   return {};

@@ -8,12 +8,15 @@
 
 #include "robot/app/server_settings.h"
 #include "robot/core/result.h"
+#include "robot/truth/feeds/ssl_packet.h"
 
 namespace robot::app {
 
 /// The options of foresight-lab truth.
 struct TruthOptions {
-  std::vector<std::string> sources;   // addresses of robot/truth/sensor/open_source.h, or "synthetic", "synthetic:2"
+  /// Addresses of robot/truth/sensor/open_source.h, or "synthetic", "synthetic:2". Or one of another system alone:
+  /// "ssl-vision", "ssl-vision:GROUP:PORT", or "door" for a process of a lab's own.
+  std::vector<std::string> sources;
   std::filesystem::path calibration;  // the file with the places of the sensors; empty: none, and none is saved
   std::string rules = "spl2012";      // the field
   double ball_radius = 0;             // [m] 0: that of the rules, or of the models
@@ -22,6 +25,10 @@ struct TruthOptions {
   // of the simulated game that synthetic sensors see
   std::string home = "baseline", away = "baseline", models = "match";
   std::uint64_t seed = 1;
+
+  truth::SslTeams teams;       // of the colours of SSL-Vision
+  std::string interface;       // on which SSL-Vision's packets come, such as "eth0"; empty: all
+  std::filesystem::path door;  // socket of the door; empty: body::default_door()
 
   bool record = false;         // from the start on
   bool record_images = false;  // depth images and colours too: 18 MB a second and sensor, or more
