@@ -43,7 +43,12 @@ function fileOf(path) {
 function addField(message, code) {
   const [, label, type, name, number] = /^(optional |repeated )?([\w.]+) (\w+) = (\d+)/.exec(code) ?? [];
   if (!name) return;
-  const field = { name, number: Number(number), label: label === "repeated " ? "LABEL_REPEATED" : "LABEL_OPTIONAL" };
+  const field = {
+    name,
+    jsonName: name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase()),
+    number: Number(number),
+    label: label === "repeated " ? "LABEL_REPEATED" : "LABEL_OPTIONAL",
+  };
   if (kScalars.includes(type)) field.type = `TYPE_${type.toUpperCase()}`;
   else field.typeName = type; // the names of the files are unique, so that the scope says which it is
   if (label === "optional ") {

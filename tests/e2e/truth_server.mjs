@@ -6,7 +6,15 @@ import { messageOf } from "./descriptors.mjs";
 const { WebSocketServer } = require("ws");
 
 export const kPinhole = { width: 640, height: 480, focalX: 575.8, focalY: 575.8, centreX: 320, centreY: 240 };
-const kField = { length: 9, width: 6, circle: 0.75, goalArea: [0.6, 2.2], penaltyArea: [1.65, 4], mark: 1.3, goal: 1.6 };
+const kField = {
+  length: 9,
+  width: 6,
+  circle: 0.75,
+  goalArea: [0.6, 2.2],
+  penaltyArea: [1.65, 4],
+  mark: 1.3,
+  goal: 1.6,
+};
 const kFrames = 24; // they are played again and again
 const kRobotRadius = 0.12,
   kRobotHeight = 0.58,
@@ -38,9 +46,7 @@ export function pixelOf({ rotation, at }, point) {
 /** Turns a pose by a small rotation vector about the sensor's axes and moves it. */
 function moved({ rotation, at }, [a, b, c, x, y, z]) {
   const turn = [1, -c, b, c, 1, -a, -b, a, 1];
-  const rows = [0, 1, 2].map((row) =>
-    [0, 1, 2].map((i) => dot(rotation.slice(3 * row, 3 * row + 3), column(turn, i))),
-  );
+  const rows = [0, 1, 2].map((row) => [0, 1, 2].map((i) => dot(rotation.slice(3 * row, 3 * row + 3), column(turn, i))));
   // orthonormal again
   const right = unit([0, 1, 2].map((row) => rows[row][0]));
   const down = [0, 1, 2].map((row) => rows[row][1]);
@@ -159,13 +165,15 @@ function colourOf({ rotation, at }) {
 
 export const kLandmarks = [
   ...[-1, 1].flatMap((sx) =>
-    [-1, 1].flatMap((sy) => [
-      ["corner", (sx * kField.length) / 2, (sy * kField.width) / 2],
-      ["penalty area", sx * (kField.length / 2 - 1.65), sy * 2],
-      ["penalty area foot", (sx * kField.length) / 2, sy * 2],
-      ["goal area", sx * (kField.length / 2 - 0.6), sy * 1.1],
-      ["goal post", (sx * kField.length) / 2, sy * 0.8],
-    ].map(([name, x, y]) => ({ name: `${name} ${sx > 0 ? "+x" : "-x"} ${sy > 0 ? "+y" : "-y"}`, x, y, z: 0 }))),
+    [-1, 1].flatMap((sy) =>
+      [
+        ["corner", (sx * kField.length) / 2, (sy * kField.width) / 2],
+        ["penalty area", sx * (kField.length / 2 - 1.65), sy * 2],
+        ["penalty area foot", (sx * kField.length) / 2, sy * 2],
+        ["goal area", sx * (kField.length / 2 - 0.6), sy * 1.1],
+        ["goal post", (sx * kField.length) / 2, sy * 0.8],
+      ].map(([name, x, y]) => ({ name: `${name} ${sx > 0 ? "+x" : "-x"} ${sy > 0 ? "+y" : "-y"}`, x, y, z: 0 })),
+    ),
   ),
   ...[-1, 1].flatMap((s) => [
     { name: `penalty mark ${s > 0 ? "+x" : "-x"}`, x: s * (kField.length / 2 - 1.3), y: 0, z: 0 },
@@ -192,7 +200,10 @@ function fit(start, clicks) {
       const step = [0, 0, 0, 0, 0, 0].with(i, 1e-5);
       return errorsOf(moved(pose, step)).map((value, row) => (value - errors[row]) / 1e-5);
     });
-    const normal = slopes.map((one, i) => [...slopes.map((other, j) => dot(one, other) + (i === j ? 1e-6 : 0)), -dot(one, errors)]);
+    const normal = slopes.map((one, i) => [
+      ...slopes.map((other, j) => dot(one, other) + (i === j ? 1e-6 : 0)),
+      -dot(one, errors),
+    ]);
     pose = moved(pose, solved(normal));
   }
   return pose;
@@ -352,7 +363,10 @@ export async function truthServer(t, { colour = true, clicks = [], hz = 30 } = {
     errorMean: 0.012,
     errorP95: 0.024,
   });
-  const offset = (thing, i, frame) => ({ x: thing.x + 0.02 * Math.sin(5 * i + frame), y: thing.y + 0.015 * Math.cos(3 * i - frame) });
+  const offset = (thing, i, frame) => ({
+    x: thing.x + 0.02 * Math.sin(5 * i + frame),
+    y: thing.y + 0.015 * Math.cos(3 * i - frame),
+  });
   const covariance = { xx: 0.0009, xy: 0.0004, yy: 0.0025 };
   const found = (frame, time) => ({
     robots: robotsAt(time).map((robot, i) => ({
@@ -384,9 +398,18 @@ export async function truthServer(t, { colour = true, clicks = [], hz = 30 } = {
     for (const socket of subscriptions.keys()) socket.send(size); // the server's time
     const seen = found(frame, time);
     publish("/truth/world", ns, truth.bytes({ ...seen, detectedNs: String(ns), sentNs: String(ns) }));
-    const real = { robots: robotsAt(time).map(({ x, y }) => ({ x, y })), ball: { x: ballAt(time).x, y: ballAt(time).y } };
+    const real = {
+      robots: robotsAt(time).map(({ x, y }) => ({ x, y })),
+      ball: { x: ballAt(time).x, y: ballAt(time).y },
+    };
     publish("/truth/simulated", ns, truth.bytes(real));
-    const report = { state: "STATE_WATCHING", address: "synthetic", problem: state.problem, rateHz: state.hz, detectionMs: 0.8 };
+    const report = {
+      state: "STATE_WATCHING",
+      address: "synthetic",
+      problem: state.problem,
+      rateHz: state.hz,
+      detectionMs: 0.8,
+    };
     publish(
       "/truth/1/sensor",
       ns,
@@ -399,7 +422,13 @@ export async function truthServer(t, { colour = true, clicks = [], hz = 30 } = {
     publish(
       "/truth/2/sensor",
       ns,
-      sensor.bytes({ state: "STATE_WAITING", address: "freenect:0", problem: "freenect:0: no sensor is connected", pinhole: kPinhole, place: placeOfSensor(other) }),
+      sensor.bytes({
+        state: "STATE_WAITING",
+        address: "freenect:0",
+        problem: "freenect:0: no sensor is connected",
+        pinhole: kPinhole,
+        place: placeOfSensor(other),
+      }),
     );
     const common = { timestamp: stamp(ns), width: 640, height: 480, frameId: "sensor 1" };
     publish("/truth/1/depth", ns, image.bytesOf({ ...common, encoding: "16UC1", step: 1280, data: frames[frame] }));

@@ -8,8 +8,10 @@ import type { ColourPicture, DepthPicture } from "./depth_picture";
 import { kSteps, orderedTable } from "./ordered_colours";
 import type { Optics } from "./optics";
 
-const kLowest = -0.05; // [m] heights of the first and the last colour
-const kHighest = 0.7;
+/** [m] Heights of the first and the last colour. Lower points are ground. */
+export const kLowest = 0.08;
+export const kHighest = 0.7;
+const kGround = "vec3(0.21, 0.31, 0.27)";
 const kAboveCarpet = 0.015; // [m] of lines, which the noise of the ground would hide
 
 const kPointVertex = `#version 300 es
@@ -35,7 +37,8 @@ void main() {
   gl_PointSize = clamp(1.2 * float(stride) * z / focal.x * pixels_per_metre / gl_Position.w, 1.0, 16.0);
   float share = clamp((point.z - ${kLowest}) / ${kHighest - kLowest}, 0.0, 1.0);
   shade = coloured ? texelFetch(colours, pixel, 0).rgb
-                   : texelFetch(heights, ivec2(int(share * ${kSteps - 1}.0), 0), 0).rgb;
+        : share > 0.0 ? texelFetch(heights, ivec2(int((0.25 + 0.75 * share) * ${kSteps - 1}.0), 0), 0).rgb
+        : ${kGround};
 }`;
 
 const kPointFragment = `#version 300 es
@@ -88,7 +91,10 @@ export function cloudPainter(canvas: HTMLCanvasElement): CloudPainter | undefine
   const points = programOf(gl, kPointVertex, kPointFragment);
   const lines = programOf(gl, kLineVertex, kLineFragment);
   if (!points || !lines) return undefined;
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   gl.enable(gl.DEPTH_TEST);
+  gl.enable(gl.BLEND);
+  gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
   gl.clearColor(0.043, 0.055, 0.067, 1);
 
   const [depths, colours, heights] = [0, 1, 2].map((unit) => textureOf(gl, unit));
@@ -125,7 +131,6 @@ export function cloudPainter(canvas: HTMLCanvasElement): CloudPainter | undefine
     load(depth, colour) {
       if (gl.isContextLost()) return;
       size = { width: depth.width, height: depth.height };
-      gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, depths!);
       const { width, height } = size;
@@ -141,8 +146,12 @@ export function cloudPainter(canvas: HTMLCanvasElement): CloudPainter | undefine
       const began = performance.now() / 1000;
       gl.viewport(0, 0, canvas.width, canvas.height);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-      if (scene.field) ground.draw(scene.field, scene.clip);
+      if (scene.field) ground.draw(scene.field, scene.clip, 1);
       drawPoints(scene);
+      // points of the ground hide the lines here and there, and must not hide all of them
+      gl.disable(gl.DEPTH_TEST);
+      if (scene.field) ground.draw(scene.field, scene.clip, kThrough);
+      gl.enable(gl.DEPTH_TEST);
       const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
       gl.flush();
       if (fence) drawing = { fence, began };
@@ -179,8 +188,9 @@ function uniformsOf(gl: WebGL2RenderingContext, program: WebGLProgram): (name: s
   };
 }
 
-const kGrid = [0.35, 0.42, 0.47, 1] as const;
-const kLines = [0.9, 0.95, 0.92, 1] as const;
+const kGrid = [0.42, 0.5, 0.54] as const;
+const kLines = [0.95, 1, 0.97] as const;
+const kThrough = 0.3; // opacity of lines in front of everything
 
 /** A painter of the ground: a grid of one metre with the field's lines in it. */
 function groundOf(gl: WebGL2RenderingContext, program: WebGLProgram) {
@@ -195,16 +205,16 @@ function groundOf(gl: WebGL2RenderingContext, program: WebGLProgram) {
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(ends.flatMap(({ x, y }) => [x, y])), gl.STATIC_DRAW);
   }
   return {
-    draw(field: Field, clip: Float32Array) {
+    draw(field: Field, clip: Float32Array, opacity: number) {
       gl.useProgram(program);
       gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
       if (known !== (known = JSON.stringify(field))) fill(field);
       gl.enableVertexAttribArray(place);
       gl.vertexAttribPointer(place, 2, gl.FLOAT, false, 0, 0);
       gl.uniformMatrix4fv(uniform("clip_from_field"), false, clip);
-      gl.uniform4fv(uniform("ink"), kGrid);
+      gl.uniform4f(uniform("ink"), ...kGrid, 0.5 * opacity);
       gl.drawArrays(gl.LINES, 0, gridEnds);
-      gl.uniform4fv(uniform("ink"), kLines);
+      gl.uniform4f(uniform("ink"), ...kLines, opacity);
       gl.drawArrays(gl.LINES, gridEnds, allEnds - gridEnds);
       gl.disableVertexAttribArray(place);
     },

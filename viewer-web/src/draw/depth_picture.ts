@@ -47,7 +47,7 @@ export interface Range {
   far: number;
 }
 
-const kEvery = 37; // a prime, so that the sample lies in all columns
+const kEvery = 151; // a prime, so that the sample lies in all columns
 const kStep = 0.25; // [m] ends of ranges
 const kTail = 0.01; // share of the depths beyond each end
 const kWholeRange: Range = { near: 0.5, far: 5 };

@@ -23,7 +23,7 @@ const kUnrated = "#ffffff";
 /** What a person and the server know of a calibration. */
 export interface Marks {
   landmarks: Landmark[];
-  clicks: Click[];
+  clicks: readonly Click[];
   residuals: ReadonlyMap<string, Residual>;
   /** The landmark that keys and the next click are for, or "". */
   chosen: string;
@@ -42,10 +42,10 @@ export function landmarkAt(camera: Camera, landmarks: Landmark[], pointer: Point
 }
 
 /** Returns the click nearest to a place on the image's canvas [px], within `reach`. */
-export const clickAt = (fit: Fit, clicks: Click[], pointer: Point, reach: number): Click | undefined =>
+export const clickAt = (fit: Fit, clicks: readonly Click[], pointer: Point, reach: number): Click | undefined =>
   nearest(clicks, (click) => toCanvas(fit, click), pointer, reach);
 
-function nearest<T>(things: T[], placeOf: (thing: T) => Point, pointer: Point, reach: number): T | undefined {
+function nearest<T>(things: readonly T[], placeOf: (thing: T) => Point, pointer: Point, reach: number): T | undefined {
   let [found, least]: [T | undefined, number] = [undefined, reach];
   for (const thing of things) {
     const { x, y } = placeOf(thing);

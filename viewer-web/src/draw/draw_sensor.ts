@@ -50,12 +50,13 @@ function drawRobot(pen: Pen, fit: Fit, optics: Optics, robot: TrueThing): void {
   const scale = scaleAt(optics, { ...robot, z: height / 2 });
   if (!foot || !top || !scale) return;
   const half = kRobotRadius * scale * 1.1;
-  const [low, high] = [foot.y + 0.1 * half, top.y];
+  const [left, right] = [Math.min(foot.x, top.x) - half, Math.max(foot.x, top.x) + half];
+  const [high, low] = [Math.min(foot.y, top.y), Math.max(foot.y, top.y) + 0.1 * half];
   const corners = [
-    { x: top.x - half, y: high },
-    { x: top.x + half, y: high },
-    { x: foot.x + half, y: low },
-    { x: foot.x - half, y: low },
+    { x: left, y: high },
+    { x: right, y: high },
+    { x: right, y: low },
+    { x: left, y: low },
   ].map((corner) => toCanvas(fit, corner));
   stroke(pen, kOverlayColours.robot, 2, corners, true);
   const words = [labelOf(robot), robot.fallen ? "fallen" : ""].filter(Boolean).join(" ");

@@ -23,8 +23,18 @@ import {
 import { kBallColour, kRealColour, kTrueBallRadius } from "./draw_sensor";
 import { footprintOf } from "./sensor_optics";
 import type { Optics } from "./optics";
-import { ahead, drawFallen, drawNumber, drawOutlined, kBright, kInk, kLiveries, kRobotRadius } from "./robot_sign";
-import { strokeHeading, type Livery } from "./robot_sign";
+import {
+  ahead,
+  drawFallen,
+  drawOutlined,
+  kBright,
+  kInk,
+  kLiveries,
+  kRobotRadius,
+  kUnknownLivery,
+  strokeHeading,
+  type Livery,
+} from "./robot_sign";
 
 export interface SeenSensor {
   number: number;
@@ -40,11 +50,11 @@ export interface TruthDrawing {
   sensors: SeenSensor[];
 }
 
-export const kUnknownLivery: Livery = { colour: "#dde5ea", shape: "disc" };
 const kDeviations = 3; // drawn of a position's error: the thing is inside in 99 of 100 cases
 const kAhead = 0.5; // [s] of a velocity's arrow
 const kSlowest = 0.05; // [m/s] slower things have no arrow
-const kSensorSize = 0.16; // [m]
+const kSensorSize = 0.3; // [m]
+const kArm = 0.05; // [m] of a cross
 const kEdge = 0.45; // [m] of room around a sensor
 const kWidest = 2.5; // [m] of border
 
@@ -92,7 +102,8 @@ function drawRobot(pen: Pen, camera: Camera, robot: TrueThing, livery: Livery): 
   strokeCircle(pen, camera, robot, kRobotRadius);
   style(pen, livery.colour, 3);
   strokeHeading(pen, camera, robot);
-  drawNumber(pen, camera, labelOf(robot), robot, livery);
+  const above = -(kRobotRadius * camera.scale + 10);
+  drawOutlined(pen, toScreen(camera, robot), above, labelOf(robot), { colour: kBright, weight: 650 });
   if (robot.fallen) drawFallen(pen, camera, robot);
   drawError(pen, camera, robot);
 }
@@ -132,9 +143,9 @@ function drawReal(pen: Pen, camera: Camera, truth: Truth | undefined, real: Trut
   for (const pair of pairs) strokeLine(pen, camera, pair.found, pair.real);
   for (const thing of thingsOf(real)) {
     style(pen, kInk, 4, 0.6);
-    strokeCross(pen, camera, thing, 0.06);
+    strokeCross(pen, camera, thing, kArm);
     style(pen, kRealColour, 2);
-    strokeCross(pen, camera, thing, 0.06);
+    strokeCross(pen, camera, thing, kArm);
   }
 }
 
@@ -155,6 +166,6 @@ function drawSensor(pen: Pen, camera: Camera, { number, optics, chosen }: SeenSe
   fillPolygon(pen, camera, [at, corner(-1), corner(1)], chosen ? kBright : "#aab7be");
   style(pen, kInk, 1);
   strokePolygon(pen, camera, [at, corner(-1), corner(1)]);
-  const { x, y } = toScreen(camera, ahead({ ...at, heading }, -0.16));
+  const { x, y } = toScreen(camera, ahead({ ...at, heading }, -0.2));
   drawOutlined(pen, { x, y }, 0, String(number), { colour: kBright, weight: 700 });
 }

@@ -4,7 +4,7 @@ import type { Pen, Point } from "./field";
 import { stroke, type Fit } from "./overlay";
 
 const kSize = 136; // [px of the page]
-const kScale = 8; // [px of the page / px of the image]
+export const kLoupeScale = 8; // [px of the page / px of the image]
 const kMargin = 10;
 
 /** The pen of a real canvas. */
@@ -23,9 +23,9 @@ export function loupeAt(
   const fit = {
     width: image.width,
     height: image.height,
-    scale: kScale,
-    left: left + kSize / 2 - kScale * middle.x,
-    top: kMargin + kSize / 2 - kScale * middle.y,
+    scale: kLoupeScale,
+    left: left + kSize / 2 - kLoupeScale * middle.x,
+    top: kMargin + kSize / 2 - kLoupeScale * middle.y,
   };
   return { left, top: kMargin, fit };
 }
@@ -47,7 +47,7 @@ export function drawLoupe(
   pen.fillStyle = "#0b0e11";
   pen.fillRect(left, top, kSize, kSize);
   pen.imageSmoothingEnabled = false;
-  pen.drawImage(image, fit.left, fit.top, kScale * image.width, kScale * image.height);
+  pen.drawImage(image, fit.left, fit.top, kLoupeScale * image.width, kLoupeScale * image.height);
   over(fit);
   drawHair(pen, { x: left + kSize / 2, y: top + kSize / 2 });
   pen.restore();

@@ -1,7 +1,7 @@
 // The look at a point cloud: a viewpoint on a sphere around a place of the field.
 
 import type { Place } from "./optics";
-import type { Field, Point } from "./field";
+import type { Point } from "./field";
 
 export interface Orbit {
   /** [rad] 0 looks along +y, with +x to the right as in the field's drawing; counter-clockwise from above. */
@@ -18,15 +18,16 @@ const kFocal = 1 / Math.tan(kHalfView);
 const kNear = 0.05; // [m]
 const kFar = 60; // [m]
 
-/** Looks at the whole field, oriented as in its drawing. `aspect`: width / height. */
-export function wholeOrbit({ length, width, border }: Field, aspect: number): Orbit {
-  const across = (length / 2 + border) * Math.max(1, kFocal / aspect);
-  return {
-    azimuth: 0,
-    elevation: 0.65,
-    distance: Math.max(across + width / 2, width * 1.4),
-    target: { x: 0, y: 0, z: 0 },
-  };
+/** Looks at the ground within an outline, oriented as the field's drawing. `aspect`: width / height. */
+export function orbitOver(outline: Point[], aspect: number): Orbit {
+  const [x, y] = [middleOf(outline.map((point) => point.x)), middleOf(outline.map((point) => point.y))];
+  const distance = Math.max((kFocal / aspect) * x.half + 0.7 * y.half, 0.9 * kFocal * y.half) + 0.5;
+  return { azimuth: 0, elevation: 0.7, distance, target: { x: x.middle, y: y.middle, z: 0.2 } };
+}
+
+function middleOf(values: number[]): { middle: number; half: number } {
+  const [least, most] = [Math.min(...values), Math.max(...values)];
+  return { middle: (least + most) / 2, half: (most - least) / 2 };
 }
 
 /** Turns by pixels of a canvas. */

@@ -55,5 +55,10 @@ export function orderedTable(): Uint8Array {
 /** "rgb(…)" of a share from 0 to 1. */
 export const orderedStyle = (share: number): string => `rgb(${orderedColour(share).join(" ")})`;
 
-/** The colours of a legend, as a CSS gradient. */
-export const kOrderedGradient = `linear-gradient(to right, ${Array.from({ length: 9 }, (_, i) => orderedStyle(i / 8)).join(", ")})`;
+const kStops = 9;
+
+/** The colours of a legend between two shares, as a CSS gradient from left to right. */
+export const gradientFrom = (first: number, last: number): string => {
+  const stops = Array.from({ length: kStops }, (_, i) => orderedStyle(first + (i / (kStops - 1)) * (last - first)));
+  return `linear-gradient(to right, ${stops.join(", ")})`;
+};

@@ -77,6 +77,11 @@ export function drawOverlay(
 
 /** Draws twice, dark and wide below, for contrast on any image. */
 export function stroke(pen: Pen, colour: string, width: number, points: Point[], closed = false): void {
+  strokeAll(pen, colour, width, [points], closed);
+}
+
+/** Draws several lines at once, which is much quicker than one after the other. */
+function strokeAll(pen: Pen, colour: string, width: number, lines: Point[][], closed = false): void {
   for (const [style, wide, alpha] of [
     [kInk, width + 2, 0.55],
     [colour, width, 1],
@@ -85,8 +90,10 @@ export function stroke(pen: Pen, colour: string, width: number, points: Point[],
     pen.lineWidth = wide;
     pen.globalAlpha = alpha;
     pen.beginPath();
-    points.forEach(({ x, y }, i) => (i === 0 ? pen.moveTo(x, y) : pen.lineTo(x, y)));
-    if (closed) pen.closePath();
+    for (const points of lines) {
+      points.forEach(({ x, y }, i) => (i === 0 ? pen.moveTo(x, y) : pen.lineTo(x, y)));
+      if (closed) pen.closePath();
+    }
     pen.stroke();
   }
 }
@@ -172,6 +179,7 @@ export function drawFieldLines(
 ): void {
   const near = ({ x, y }: Point) =>
     x > -optics.width && x < 2 * optics.width && y > -optics.height && y < 2 * optics.height;
+  const seen: Point[][] = [];
   for (const [from, to] of linesOf(field)) {
     const pieces = Math.max(1, Math.round(Math.hypot(to.x - from.x, to.y - from.y) / kStep));
     for (let i = 0; i < pieces; ++i) {
@@ -179,15 +187,10 @@ export function drawFieldLines(
         inFrame({ x: from.x + (at / pieces) * (to.x - from.x), y: from.y + (at / pieces) * (to.y - from.y) }),
       );
       const ends = lineToPixels(optics, one!, other!);
-      if (ends?.some(near))
-        stroke(
-          pen,
-          kOverlayColours.field,
-          1.5,
-          ends.map((end) => toCanvas(fit, end)),
-        );
+      if (ends?.some(near)) seen.push(ends.map((end) => toCanvas(fit, end)));
     }
   }
+  strokeAll(pen, kOverlayColours.field, 1.5, seen);
 }
 
 /** A percept, or a part of one, that names its camera. */

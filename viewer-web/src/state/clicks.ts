@@ -63,6 +63,26 @@ export function removed(now: Clicking, landmark = now.chosen): Clicking {
   return { clicks: now.clicks.filter((click) => click.landmark !== landmark), chosen: "", pending: undefined };
 }
 
+const kWays: Record<string, Point> = {
+  ArrowLeft: { x: -1, y: 0 },
+  ArrowRight: { x: 1, y: 0 },
+  ArrowUp: { x: 0, y: -1 },
+  ArrowDown: { x: 0, y: 1 },
+};
+const kStep = 0.25; // [px] of an arrow key
+const kLongStep = 2; // [px] with Shift
+
+/** Handles a key. Undefined if the key has no meaning here. */
+export function pressed(
+  now: Clicking,
+  { key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">,
+): Clicking | undefined {
+  const [way, step] = [kWays[key], shiftKey ? kLongStep : kStep];
+  if (way) return nudged(now, { x: step * way.x, y: step * way.y });
+  if (key === "Delete" || key === "Backspace") return removed(now);
+  return key === "Escape" ? { ...kNoClicks, clicks: now.clicks } : undefined;
+}
+
 /** The next step in words. */
 export function nextStep(now: Clicking): string {
   if (now.pending) return "Now click its place on the field, or its name in the list.";
