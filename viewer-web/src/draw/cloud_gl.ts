@@ -93,7 +93,6 @@ export function cloudPainter(canvas: HTMLCanvasElement): CloudPainter | undefine
   if (!points || !lines) return undefined;
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   gl.enable(gl.DEPTH_TEST);
-  gl.enable(gl.BLEND);
   gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
   gl.clearColor(0.043, 0.055, 0.067, 1);
 
@@ -150,7 +149,9 @@ export function cloudPainter(canvas: HTMLCanvasElement): CloudPainter | undefine
       drawPoints(scene);
       // points of the ground hide the lines here and there, and must not hide all of them
       gl.disable(gl.DEPTH_TEST);
+      gl.enable(gl.BLEND);
       if (scene.field) ground.draw(scene.field, scene.clip, kThrough);
+      gl.disable(gl.BLEND);
       gl.enable(gl.DEPTH_TEST);
       const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
       gl.flush();
@@ -188,7 +189,7 @@ function uniformsOf(gl: WebGL2RenderingContext, program: WebGLProgram): (name: s
   };
 }
 
-const kGrid = [0.42, 0.5, 0.54] as const;
+const kGrid = [0.23, 0.28, 0.3] as const;
 const kLines = [0.95, 1, 0.97] as const;
 const kThrough = 0.3; // opacity of lines in front of everything
 
@@ -212,7 +213,7 @@ function groundOf(gl: WebGL2RenderingContext, program: WebGLProgram) {
       gl.enableVertexAttribArray(place);
       gl.vertexAttribPointer(place, 2, gl.FLOAT, false, 0, 0);
       gl.uniformMatrix4fv(uniform("clip_from_field"), false, clip);
-      gl.uniform4f(uniform("ink"), ...kGrid, 0.5 * opacity);
+      gl.uniform4f(uniform("ink"), ...kGrid, opacity);
       gl.drawArrays(gl.LINES, 0, gridEnds);
       gl.uniform4f(uniform("ink"), ...kLines, opacity);
       gl.drawArrays(gl.LINES, gridEnds, allEnds - gridEnds);

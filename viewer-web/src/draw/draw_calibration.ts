@@ -7,6 +7,7 @@ import { toPixel, type Optics } from "./optics";
 import { orderedStyle } from "./ordered_colours";
 import { label, stroke, toCanvas, type Fit } from "./overlay";
 import { drawOutlined, kBright, kInk } from "./robot_sign";
+import { isSeen } from "./sensor_optics";
 
 /** [m] The error that has the brightest colour. */
 export const kWorstError = 0.05;
@@ -142,7 +143,7 @@ function drawTarget(pen: Pen, { x, y }: Point, colour: string, bold: boolean): v
 function drawExpected(pen: Pen, fit: Fit, { clicks, chosen }: Marks, optics: Optics, landmark: Landmark): void {
   if (clicks.some((click) => click.landmark === landmark.name)) return;
   const pixel = toPixel(optics, landmark);
-  if (!pixel || pixel.x < 0 || pixel.y < 0 || pixel.x > optics.width || pixel.y > optics.height) return;
+  if (!pixel || !isSeen(optics, landmark)) return;
   const { x, y } = toCanvas(fit, pixel);
   const size = landmark.name === chosen ? 9 : 5;
   const corners = [

@@ -56,14 +56,27 @@ const kSlowest = 0.05; // [m/s] slower things have no arrow
 const kSensorSize = 0.3; // [m]
 const kArm = 0.05; // [m] of a cross
 const kEdge = 0.45; // [m] of room around a sensor
-const kWidest = 2.5; // [m] of border
+const kWidest = 2.5; // [m] beyond the lines
 
-/** The field with enough border to show the sensors beside it. */
+/** A field as large as this one with the sensors beside it, for the camera: all of them are on the canvas. */
 export function withSensors(field: Field, sensors: SeenSensor[]): Field {
-  const beyond = sensors.map(({ optics: { at } }) =>
-    Math.max(Math.abs(at.x) - field.length / 2, Math.abs(at.y) - field.width / 2),
-  );
-  return { ...field, border: Math.max(field.border, Math.min(kWidest, Math.max(0, ...beyond) + kEdge)) };
+  const reach = (size: number, places: number[]) => {
+    const outermost = Math.max(...places.map((place) => Math.abs(place) + kEdge), size / 2 + field.border);
+    return 2 * Math.min(outermost, size / 2 + kWidest);
+  };
+  const at = sensors.map(({ optics }) => optics.at);
+  return {
+    ...field,
+    length: reach(
+      field.length,
+      at.map(({ x }) => x),
+    ),
+    width: reach(
+      field.width,
+      at.map(({ y }) => y),
+    ),
+    border: 0,
+  };
 }
 
 export function drawTruth(pen: Pen, camera: Camera, { field, truth, real, sensors }: TruthDrawing): void {

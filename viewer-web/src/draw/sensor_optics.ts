@@ -2,7 +2,7 @@
 
 import type { Pinhole, SensorPlace } from "../memory/truth";
 import type { Point } from "./field";
-import { direction, toGround, type Optics, type Place } from "./optics";
+import { direction, toGround, toPixel, type Optics, type Place } from "./optics";
 
 /** A sensor without a calibration: upright, level and behind the field, so that its points can be looked at. */
 export const kUncalibrated: SensorPlace = {
@@ -25,6 +25,12 @@ export function placeAt(optics: Optics, pixel: Point, depth: number): Place {
   const { x, y, z } = direction(optics, pixel);
   const { at } = optics;
   return { x: at.x + depth * x, y: at.y + depth * y, z: at.z + depth * z };
+}
+
+/** Reports whether a place is in the image. */
+export function isSeen(optics: Optics, place: Place): boolean {
+  const pixel = toPixel(optics, place);
+  return pixel !== undefined && pixel.x >= 0 && pixel.y >= 0 && pixel.x <= optics.width && pixel.y <= optics.height;
 }
 
 const kReach = 6; // [m] beyond it, a depth camera measures nothing useful
