@@ -138,7 +138,6 @@ test("a sensor is calibrated by clicks in the image and on the field, in either 
   const before = truth.requests.at(-1).request.clicks.find(({ landmark }) => landmark === last.name);
   await page.setViewportSize({ width: 1280, height: 800 });
   await page.getByRole("button", { name: last.name, exact: true }).click();
-  await page.getByRole("application").focus();
   await page.keyboard.press("ArrowRight");
   const newest = () => truth.requests.at(-1).request.clicks.find(({ landmark }) => landmark === last.name);
   await until(() => Math.abs(newest().x - before.x - 0.25) < 1e-9, "a quarter of a pixel", undefined, newest);

@@ -77,8 +77,10 @@ export interface CloudScene {
 export interface CloudPainter {
   /** Takes over images. A colour image of another size than the depths is not used. */
   load(depth: DepthPicture, colour: ColourPicture | undefined): void;
-  /** Draws what was loaded. Returns false while the last drawing is not finished. */
-  paint(scene: CloudScene): boolean;
+  /** Whether the last drawing is not finished. */
+  readonly busy: boolean;
+  /** Draws the loaded images. */
+  paint(scene: CloudScene): void;
   /** [s] The duration of the last drawing, once after its end. */
   finished(now: number): number | undefined;
   dispose(): void;
@@ -141,7 +143,7 @@ export function cloudPainter(canvas: HTMLCanvasElement): CloudPainter | undefine
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB, width, height, 0, gl.RGB, gl.UNSIGNED_BYTE, colour!.rgb);
     },
     paint(scene) {
-      if (drawing || gl.isContextLost() || size.width === 0) return false;
+      if (gl.isContextLost() || size.width === 0) return;
       const began = performance.now() / 1000;
       gl.viewport(0, 0, canvas.width, canvas.height);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -156,7 +158,9 @@ export function cloudPainter(canvas: HTMLCanvasElement): CloudPainter | undefine
       const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
       gl.flush();
       if (fence) drawing = { fence, began };
-      return true;
+    },
+    get busy() {
+      return drawing !== undefined;
     },
     finished(now) {
       if (!drawing || gl.getSyncParameter(drawing.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return undefined;

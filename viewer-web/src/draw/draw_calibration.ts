@@ -21,7 +21,7 @@ export const gradeOf = ({ pixels, outlier }: Residual): "good" | "fair" | "poor"
 export const kGradeColours = { good: "#7cc4ff", fair: "#ffd36b", poor: "#ff8a4c" };
 const kUnrated = "#ffffff";
 
-/** What a person and the server know of a calibration. */
+/** The marks of a calibration: clicks of a person, and what the server knows of them. */
 export interface Marks {
   landmarks: Landmark[];
   clicks: readonly Click[];

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { Pace } from "./pace";
 
-/** A machine that draws so many points a second, and needs 2 ms for each drawing. */
+/** The pace of a machine with this speed, which needs 2 ms more for each drawing. */
 function after(seconds: number, pointsPerSecond: number): Pace {
   const pace = new Pace();
   for (let i = 0; i < 30 * seconds; ++i) pace.drew(0.002 + (640 * 480) / pace.stride ** 2 / pointsPerSecond);

@@ -35,12 +35,12 @@ export class Calibration {
     readonly sensor: number,
   ) {}
 
-  get offered(): boolean {
-    return [kLandmarks, kCalibrate].every((service) => this.server.serviceNames.includes(service));
-  }
-
-  /** Learns the landmarks, and the clicks of the saved calibration. */
+  /**
+   * Learns the landmarks, and the clicks of the saved calibration. After a lost connection, which makes the page ask again,
+   * the clicks of a person stay.
+   */
   async begin(): Promise<void> {
+    if (this.landmarks.length > 0) return;
     await this.#ask(kLandmarks, { sensor: this.sensor }, (answer) => {
       const { landmarks, clicks, file } = landmarksOf(answer);
       this.landmarks = landmarks;

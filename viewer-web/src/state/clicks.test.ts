@@ -52,6 +52,14 @@ test("a click is removed by the key or from the list, and Escape chooses none", 
   expect(pressed(kOne, key("Escape"))).toEqual({ ...kNoClicks, clicks: kOne.clicks });
 });
 
+test("keys without anything to move stay the page's", () => {
+  for (const name of ["ArrowLeft", "Delete", "Backspace", "Escape"])
+    expect(pressed(kNoClicks, key(name))).toBeUndefined();
+  const waiting = clickedLandmark(kNoClicks, "corner");
+  expect(pressed(waiting, key("ArrowLeft"))).toBeUndefined();
+  expect(pressed(waiting, key("Escape"))).toEqual(kNoClicks);
+});
+
 test("what did not change stays the same object, so that no fit is asked for", () => {
   expect(chose(kOne, "corner").clicks).toBe(kOne.clicks);
   expect(clickedPixel(kOne, kPixel).clicks).toBe(kOne.clicks);

@@ -35,7 +35,7 @@ export const clickedPixel = (now: Clicking, pixel: Point): Clicking =>
 export const clickedLandmark = (now: Clicking, landmark: string): Clicking =>
   now.pending ? joined(now, landmark, now.pending) : { ...now, chosen: landmark };
 
-/** Chooses a landmark to correct its click. */
+/** Chooses a landmark to correct its click; "" chooses none. */
 export const chose = (now: Clicking, landmark: string): Clicking => ({ ...now, chosen: landmark, pending: undefined });
 
 /** Returns the pixel that can be moved: the waiting one, else the chosen landmark's. */
@@ -72,15 +72,16 @@ const kWays: Record<string, Point> = {
 const kStep = 0.25; // [px] of an arrow key
 const kLongStep = 2; // [px] with Shift
 
-/** Handles a key. Undefined if the key has no meaning here. */
+/** Handles a key. Undefined if the key has no meaning now. */
 export function pressed(
   now: Clicking,
   { key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">,
 ): Clicking | undefined {
+  if (!movable(now)) return key === "Escape" && now.chosen ? chose(now, "") : undefined;
   const [way, step] = [kWays[key], shiftKey ? kLongStep : kStep];
   if (way) return nudged(now, { x: step * way.x, y: step * way.y });
   if (key === "Delete" || key === "Backspace") return removed(now);
-  return key === "Escape" ? { ...kNoClicks, clicks: now.clicks } : undefined;
+  return key === "Escape" ? chose(now, "") : undefined;
 }
 
 /** The next step in words. */
