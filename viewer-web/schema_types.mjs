@@ -7,8 +7,11 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { objectsOf, protoFiles, schemaOfFiles } from "./schema.mjs";
 
-/** Objects that a service of the runtime announces (robot/app/services), so memory.h does not have them. */
-const kOfServices = [{ topic: "live_parameters", message: "foresight.LiveParameters" }];
+/** Objects that a service of the runtime announces (robot/app/services) or foresight-lab truth, so memory.h does not have them. */
+const kOfServices = [
+  { topic: "live_parameters", message: "foresight.LiveParameters" },
+  { topic: "/truth/simulated", message: "foresight.GroundTruth" },
+];
 
 const kBig = ["int64", "uint64", "sint64", "fixed64", "sfixed64"];
 const kSmall = ["int32", "uint32", "sint32", "fixed32", "sfixed32", "float", "double"];

@@ -25,6 +25,7 @@ const kViews = {
   sessions: "Sessions",
   parameters: "Parameters",
   debug: "Debug",
+  "ground-truth": "Ground truth",
   "field?panes=row(field:3,col(decision:3,plot:2):2)&3.plot=ball.x": "Field",
 };
 /** Dialogs by their names, and how they are opened. Escape closes them. */

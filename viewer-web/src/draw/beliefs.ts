@@ -182,11 +182,17 @@ export function ellipseOf(fields: Fields<Ball>, deviation: number, heading: numb
     number,
   ];
   if (!(xx > 0 && yy > 0) || !Number.isFinite(xy)) return { a: deviation, b: deviation, angle: 0 };
+  const { a, b, angle } = axesOf({ xx, xy, yy });
+  return { a, b, angle: heading + angle };
+}
+
+/** Returns the half axes of a covariance: one standard deviation. */
+export function axesOf({ xx, xy, yy }: { xx: number; xy: number; yy: number }): Ellipse {
   const [mean, half] = [(xx + yy) / 2, Math.hypot((xx - yy) / 2, xy)];
   return {
     a: Math.sqrt(mean + half),
     b: Math.sqrt(Math.max(0, mean - half)),
-    angle: heading + Math.atan2(2 * xy, xx - yy) / 2,
+    angle: Math.atan2(2 * xy, xx - yy) / 2,
   };
 }
 

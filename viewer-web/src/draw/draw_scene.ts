@@ -150,7 +150,8 @@ function drawRobot(pen: Pen, camera: Camera, robot: Robot, pose: Pose, front: bo
   if (robot.fallen) drawFallen(pen, camera, pose);
 }
 
-const numberOf = ({ name }: Robot): string => name.split("/").at(-1)!;
+/** Short: a body has room for three characters. */
+const numberOf = ({ name }: Robot): string => /(?:\/|^)(#?\d+)$/.exec(name)?.[1] ?? "";
 
 function drawBall(pen: Pen, camera: Camera, ball: NonNullable<Scene["ball"]>): void {
   pen.globalAlpha = 1;

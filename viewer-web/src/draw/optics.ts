@@ -1,4 +1,5 @@
-// The camera's projection as in proto/foresight/camera.proto: between pixels and places in the frame `robot`.
+// The camera's projection as in proto/foresight/camera.proto: between pixels and places in the frame `robot`. A sensor of
+// ground truth has the same one in the frame `field`.
 
 import type { CameraMatrix, Detection } from "../memory/schema";
 import { listOf, numberOf, type Fields, type NumberIn } from "../memory/value";
@@ -88,8 +89,8 @@ export function lineToPixels(optics: Optics, from: Place, to: Place): [Point, Po
   return [pixelOf(optics, a), pixelOf(optics, b)];
 }
 
-/** Returns the direction of a pixel in the frame `robot`. */
-function direction({ rotation: r, focal, centre }: Optics, pixel: Point): Place {
+/** Returns the direction of a pixel in the frame `robot`, 1 long along the optical axis. */
+export function direction({ rotation: r, focal, centre }: Optics, pixel: Point): Place {
   const [x, y] = [(pixel.x - centre.x) / focal.x, (pixel.y - centre.y) / focal.y];
   return { x: r[0]! * x + r[1]! * y + r[2]!, y: r[3]! * x + r[4]! * y + r[5]!, z: r[6]! * x + r[7]! * y + r[8]! };
 }

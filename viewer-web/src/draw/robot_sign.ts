@@ -30,6 +30,9 @@ export const kLiveries: Liveries = {
   away: { colour: "#e8500a", shape: "square" },
 };
 
+/** Of robots that nobody has identified. */
+export const kUnknownLivery: Livery = { colour: "#dde5ea", shape: "disc" };
+
 /** Jerseys by the words of `TeamState.Colour`, bright enough for the carpet. */
 const kJerseys: Record<string, string> = {
   blue: "#6fb1ff",

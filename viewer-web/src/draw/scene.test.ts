@@ -3,7 +3,7 @@ import type { Memory } from "../memory/memory";
 import { memoryWith } from "../memory/test_memory";
 import { EnumValue, type Value } from "../memory/value";
 import { ellipseOf } from "./beliefs";
-import { liveriesOf } from "./robot_sign";
+import { kUnknownLivery, liveriesOf } from "./robot_sign";
 import { liveriesFor, oneWorld, sceneOf, topicsOf } from "./scene";
 const fields = (entries: Record<string, Value>) => new Map(Object.entries(entries));
 
@@ -75,6 +75,16 @@ test("in a truth without other objects the first team is at home, so that the si
     ["1/2", true],
     ["3/1", false],
     ["3/3", false],
+  ]);
+});
+
+test("robots without a jersey are all shown, by the numbers of their tracks", () => {
+  const robots = [fields({ x: 0, y: 0, track: 5 }), fields({ x: 1, y: 0, track: 6 }), fields({ x: 2, y: 0 })];
+  const scene = sceneOf([told(memoryOf({ "/truth/world": { robots } }), [])], 0);
+  expect(scene.robots.map(({ name, livery }) => [name, livery])).toEqual([
+    ["#5", kUnknownLivery],
+    ["#6", kUnknownLivery],
+    ["robot 3 without a number", kUnknownLivery],
   ]);
 });
 

@@ -2,13 +2,13 @@
 
 import type { Memory } from "../memory/memory";
 import { topicOfRobot, valueOf, type RobotName } from "../memory/memory_object";
-import type { GroundTruth, GroundTruth_TrueBall } from "../memory/schema";
+import type { GroundTruth, GroundTruth_TrueBall, GroundTruth_TrueRobot } from "../memory/schema";
 import { kSimulation } from "../memory/simulation";
 import { fieldsOf, listOf, numberOf, wordOf, type Fields } from "../memory/value";
 import { kTruth } from "../memory/vocabulary";
 import { beliefsOf, kBeliefs, pointIn, pointOf, type Beliefs, type Pose } from "./beliefs";
 import type { Point } from "./field";
-import { kLiveries, liveriesOf, type Liveries, type Livery } from "./robot_sign";
+import { kLiveries, kUnknownLivery, liveriesOf, type Liveries, type Livery } from "./robot_sign";
 
 export interface Robot extends Beliefs {
   name: RobotName;
@@ -73,7 +73,9 @@ function homeTeamOf(told: Told[], worlds: Fields<GroundTruth>[]): number {
   const simulations = told.map(({ memory }) => valueOf(memory.world(kSimulation)));
   const numbers = simulations.map((fields) => numberOf(fieldsOf(fields, "home"), "number"));
   const sending = told.flatMap(({ robots }) => robots.map(teamOf));
-  const seen = worlds.flatMap((world) => listOf(world, "robots").map((robot) => numberOf(robot, "team")));
+  const seen = worlds
+    .flatMap((world) => listOf(world, "robots").map((robot) => numberOf(robot, "team")))
+    .filter(Number.isFinite);
   return numbers.find(Number.isFinite) ?? Math.min(...(sending.length > 0 ? sending : seen));
 }
 
@@ -105,26 +107,32 @@ export function liveriesFor(told: Told[], robot: RobotName): { own: Livery; oppo
 
 const teamOf = (name: RobotName): number => Number(name.split("/")[0]);
 
+/** Returns "14/2", else the number of the track, "#5": a depth camera sees no jersey. */
+function nameOf(robot: Fields<GroundTruth_TrueRobot>, index: number): RobotName {
+  const [team, player, track] = (["team", "player", "track"] as const).map((name) => numberOf(robot, name));
+  if (Number.isFinite(team) && Number.isFinite(player)) return `${team}/${player}`;
+  return Number.isFinite(track) ? `#${track}` : `robot ${index + 1} without a number`;
+}
+
 function robotsOf(
   { memory, robots, keyOf }: Told,
   world: Fields<GroundTruth>,
   { homeTeam, liveries }: Sides,
   now: number,
 ): Robot[] {
-  const truths = new Map(
-    listOf(world, "robots").map((robot) => [`${numberOf(robot, "team")}/${numberOf(robot, "player")}`, robot]),
-  );
+  const truths = new Map(listOf(world, "robots").map((robot, i) => [nameOf(robot, i), robot]));
   const names = [...new Set([...robots, ...truths.keys()])].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
   return names.map((name) => {
     const truth = truths.get(name);
     const place = truth && pointOf(truth);
     const home = teamOf(name) === homeTeam;
+    const livery = home ? liveries.home : liveries.away;
     return {
       ...beliefsOf(memory, name, now),
       name,
       key: keyOf(name),
       home,
-      livery: home ? liveries.home : liveries.away,
+      livery: Number.isFinite(teamOf(name)) ? livery : kUnknownLivery,
       rivals: home ? liveries.away : liveries.home,
       truth: place && { ...place, heading: numberOf(truth!, "heading") },
       fallen: truth?.get("fallen") === true,

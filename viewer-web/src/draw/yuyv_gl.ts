@@ -1,5 +1,6 @@
 // YUYV drawn by the graphics card. A texel holds a pair of pixels as (Y0, U, Y1, V); the fragment picks its half.
 
+import { programOf } from "./gl_program";
 import { kBlueFromU, kGreenFromU, kGreenFromV, kRedFromV } from "./yuyv";
 
 const kVertex = `#version 300 es
@@ -31,7 +32,7 @@ export interface YuyvPainter {
 /** A painter for `canvas`, which it resizes to the image; undefined where WebGL 2 is missing. */
 export function yuyvPainter(canvas: HTMLCanvasElement): YuyvPainter | undefined {
   const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false });
-  const program = gl && programOf(gl);
+  const program = gl && programOf(gl, kVertex, kFragment);
   if (!program) return undefined;
 
   gl.useProgram(program);
@@ -52,19 +53,4 @@ export function yuyvPainter(canvas: HTMLCanvasElement): YuyvPainter | undefined 
       gl.getExtension("WEBGL_lose_context")?.loseContext();
     },
   };
-}
-
-function programOf(gl: WebGL2RenderingContext): WebGLProgram | undefined {
-  const program = gl.createProgram();
-  for (const [type, source] of [
-    [gl.VERTEX_SHADER, kVertex],
-    [gl.FRAGMENT_SHADER, kFragment],
-  ] as const) {
-    const shader = gl.createShader(type)!;
-    gl.shaderSource(shader, source);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  return gl.getProgramParameter(program, gl.LINK_STATUS) ? program : undefined;
 }

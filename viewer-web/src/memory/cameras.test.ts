@@ -18,3 +18,14 @@ test("the streams of one camera are grouped, top before bottom, with the compres
     ["bottom", "camera_bottom", undefined],
   ]);
 });
+
+test("sensors of ground truth and point clouds are no cameras of a robot", () => {
+  const memory = new Memory();
+  for (const [topic, schemaName] of [
+    ["/truth/1/depth", "foxglove.RawImage"],
+    ["/truth/1/points", "foxglove.PointCloud"],
+  ] as const)
+    memory.offer({ ...kPerceptChannel, topic, schemaName });
+  expect(camerasOf(memory.objectsOf(""))).toEqual([]);
+  expect([...memory.objects()].every(({ isImage }) => isImage)).toBe(true);
+});

@@ -11,9 +11,12 @@ export interface Camera {
   light: MemoryObject | undefined;
 }
 
-/** Groups the image objects by camera: camera_top with camera_top/jpeg. Top comes before bottom. */
+/**
+ * Groups the image objects by camera: camera_top with camera_top/jpeg. Top comes before bottom. The sensors of ground truth
+ * are no cameras of a robot.
+ */
 export function camerasOf(objects: MemoryObject[]): Camera[] {
-  const images = objects.filter(({ isImage }) => isImage);
+  const images = objects.filter(({ isImage, name }) => isImage && !name.startsWith("truth/"));
   const names = [...new Set(images.map(({ name }) => name.split("/")[0]!))].sort((a, b) => order(a) - order(b));
   return names.map((name) => {
     const ways = images.filter((image) => image.name.split("/")[0] === name);

@@ -52,7 +52,7 @@ export class MemoryObject<M = Unknown> {
   readonly kind: string;
   /** The server computes it from another object, only while it is subscribed. */
   readonly derived: boolean;
-  /** One image per message: too large to subscribe to on its own. */
+  /** One image or point cloud per message: too large to subscribe to on its own. */
   readonly isImage: boolean;
 
   /** The newest message, not decoded. */
@@ -81,7 +81,7 @@ export class MemoryObject<M = Unknown> {
     this.name = objectOf(channel);
     this.kind = this.name.slice(this.name.lastIndexOf("/") + 1);
     this.derived = channel.metadata["derived"] === "true";
-    this.isImage = /(^|\.)(Raw|Compressed)?Image$/.test(channel.schemaName);
+    this.isImage = /(^|\.)((Raw|Compressed)?Image|PointCloud)$/.test(channel.schemaName);
   }
 
   arrived(log_ns: bigint, data: Uint8Array, now: number): void {

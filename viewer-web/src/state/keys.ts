@@ -144,6 +144,12 @@ export const kViewKeys: { view: View; keys: string; does: string }[] = [
   { view: "what-if", keys: "f", does: "play or stop the rollouts" },
   { view: "what-if", keys: "r", does: "put everything back to its believed place" },
   { view: "what-if", keys: "Esc", does: "close your question and show the robot's own forecast" },
+  {
+    view: "ground-truth",
+    keys: "← → ↑ ↓",
+    does: "in a calibration: move the chosen click by 0.25 px; by 2 px with Shift",
+  },
+  { view: "ground-truth", keys: "Del Esc", does: "in a calibration: remove the chosen click; choose none" },
 ];
 
 const kNames: Record<string, string> = { " ": "Space", ArrowLeft: "←", ArrowRight: "→" };

@@ -315,6 +315,12 @@ const kPaneSettings: Record<string, readonly View[]> = {
   ask: ["what-if"],
   pick: ["what-if"],
   parameters: ["parameters"],
+  sensor: ["ground-truth"],
+  part: ["ground-truth"],
+  picture: ["ground-truth"],
+  lines: ["ground-truth"],
+  found: ["ground-truth"],
+  calibrate: ["ground-truth"],
 };
 export const isOfPane = (name: string): boolean => Object.hasOwn(kPaneSettings, name);
 

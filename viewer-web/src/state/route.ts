@@ -12,8 +12,12 @@ export const kViews = [
   "sessions",
   "parameters",
   "debug",
+  "ground-truth",
 ] as const;
 export type View = (typeof kViews)[number];
+
+/** The name of a view as people read it: "ground truth". */
+export const wordsOfView = (view: View): string => (view === "ground-truth" ? "ground truth" : view);
 
 /** Former names of views. */
 const kFormer: Record<string, View> = { rates: "health" };

@@ -17,6 +17,16 @@ export function fitted(canvas: HTMLCanvasElement, pen: CanvasRenderingContext2D)
   return { width, height };
 }
 
+/** Returns a function that reports whether one of its arguments differs from the last call, so that drawings can be saved. */
+export function changes(): (...values: unknown[]) => boolean {
+  let before: unknown[] = [];
+  return (...values) => {
+    const differs = values.length !== before.length || values.some((value, i) => !Object.is(value, before[i]));
+    before = values;
+    return differs;
+  };
+}
+
 let known: { key: string; colours: Colours } | undefined;
 
 /** The page's colours in its current theme. */

@@ -1,0 +1,35 @@
+import { expect, test } from "vitest";
+import { calibratedOf } from "../memory/calibration";
+import { sensorOf } from "../memory/truth";
+import { calibrationWords, errorWords, sensorWords } from "./truth";
+
+test("a sensor is described by its state, rate and calibration", () => {
+  const none = sensorOf(new Map());
+  const place = { rotation: [], at: { x: 0, y: 0, z: 0 }, depthScale: 1 };
+  const watching = { ...none, state: "watching" as const, rate: 29.97, detection_ms: 0.81 };
+  expect(sensorWords(watching)).toBe(
+    "watching, 30.0 images a second, detection takes 0.8 ms, not calibrated, so nothing is detected",
+  );
+  expect(sensorWords({ ...watching, state: "waiting", place, errorMean: 0.012 })).toBe(
+    "waiting for images, expected error 1.2 cm",
+  );
+});
+
+test("errors that are not known are not told", () => {
+  expect(errorWords({ robots: NaN, ball: NaN })).toBe("");
+  expect(errorWords({ robots: 0.019, ball: NaN })).toBe("Mean error over 3 s: robots 1.9 cm");
+});
+
+test("a calibration is described with its independent check, where there is one", () => {
+  const answer = calibratedOf({
+    error: { mean: 0.005, p95: 0.0112 },
+    left_out: { mean: 0.01, worst: 0.02, landmark: "corner" },
+  });
+  expect(calibrationWords(answer)).toEqual([
+    "Expected error on the field: mean 0.5 cm, 95 % below 1.1 cm.",
+    "Landmarks left out of the fit: mean 1.0 cm, worst 2.0 cm at corner.",
+  ]);
+  expect(calibrationWords(calibratedOf({ depth_scale: 1.01, depth_scale_deviation: 0.002 })).at(-1)).toBe(
+    "True depth / measured depth: 1.0100 ± 0.0020.",
+  );
+});
