@@ -20,7 +20,7 @@ constexpr double kInside95 = 5.991;  // squared radius of the 95 % ellipse of tw
 /// The errors of one kind of measurement.
 class Errors {
  public:
-  Errors(Measurement measurement, double height) : measurement_(measurement), height_(height) {}
+  Errors(MeasuredBy measurement, double height) : measurement_(measurement), height_(height) {}
 
   void add(const tests::GroundScene& scene, const Calibration& calibration) {
     for (double x = -1.5; x < 1.6; x += 0.75)
@@ -46,7 +46,7 @@ class Errors {
     const Eigen::Vector2d pixel = scene.pose().pixel(point);
     const double depth = (scene.field_from_sensor.inverse() * point).z() / scene.depth_scale;
     const auto measured =
-        measurement_ == Measurement::depth ? view.point(pixel, depth) : view.point_at_height(pixel, height_);
+        measurement_ == MeasuredBy::depth ? view.point(pixel, depth) : view.point_at_height(pixel, height_);
     const auto spread = place_covariance(view, covariance, point, measurement_);
     if (!measured || !spread) return;
     const Eigen::Vector2d error = (*measured - point).head<2>();
@@ -54,7 +54,7 @@ class Errors {
     inside_ += error.dot(spread->inverse() * error) < kInside95 ? 1 : 0;
   }
 
-  Measurement measurement_;
+  MeasuredBy measurement_;
   double height_;  // [m]
   double inside_ = 0;
   std::vector<double> centimetres_;
@@ -69,7 +69,7 @@ void calibration_trials(int trials, double click_deviation, double scale) {
   scene.depth_scale = 1 / scale;
   const auto landmarks = landmarks_of(scene.field);
   const CalibrationOptions options{.click_deviation = click_deviation};
-  Errors robots(Measurement::depth, options.robot_height), ball(Measurement::bearing, options.ball_radius);
+  Errors robots(MeasuredBy::depth, options.robot_height), ball(MeasuredBy::bearing, options.ball_radius);
   std::mt19937 random(1);
   int refused = 0;
   std::size_t clicked = 0;

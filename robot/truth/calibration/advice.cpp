@@ -27,7 +27,7 @@ double variance_at_landmarks(const View& view, const ViewCovariance& covariance,
   double sum = 0;
   for (const Landmark& landmark : landmarks) {
     if (!view.camera.shows(view.seen(landmark.position))) continue;
-    const auto error = place_covariance(view, covariance, landmark.position, Measurement::bearing);
+    const auto error = place_covariance(view, covariance, landmark.position, MeasuredBy::bearing);
     sum += error ? error->trace() : 0;
   }
   return sum;

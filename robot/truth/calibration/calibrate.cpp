@@ -118,14 +118,14 @@ Result<Calibration> calibrate(const std::vector<Landmark>& landmarks, const std:
   if (!fit) return fit.failure();
 
   const Eigen::Vector2d reach = reach_of(landmarks);
-  const Measurement of_robots = ground ? Measurement::depth : Measurement::bearing;
+  const MeasuredBy of_robots = ground ? MeasuredBy::depth : MeasuredBy::bearing;
   Calibration calibration{
       .pose = fit->view.pose(fit->covariance),
       .lens = fit->view.camera.lens,
       .scale_deviation = std::sqrt(fit->covariance(6, 6)),
       .left_out = left_out_check(fitting, *fit, clicks),
       .robots = expected_error(fit->view, fit->covariance, reach, of_robots, options.robot_height),
-      .ball = expected_error(fit->view, fit->covariance, reach, Measurement::bearing, options.ball_radius)};
+      .ball = expected_error(fit->view, fit->covariance, reach, MeasuredBy::bearing, options.ball_radius)};
   for (std::size_t i = 0; i < clicks.size(); ++i)
     calibration.residuals.push_back({clicks[i], miss_of(fit->view, fitting.sightings()[i]), fitting.is_outlier(i)});
   calibration.refused = refusal_of(calibration, *fit, landmarks, fitting.sightings(), options);

@@ -50,21 +50,21 @@ class DistanceMixture {
   std::vector<double> variances_;  // [m²]
 };
 
-bool sees(const View& view, const Eigen::Vector3d& point, Measurement measurement) {
+bool sees(const View& view, const Eigen::Vector3d& point, MeasuredBy measurement) {
   const Eigen::Vector3d seen = view.seen(point);
-  return view.camera.shows(seen) && (measurement == Measurement::bearing || seen.z() <= kFarthestDepth);
+  return view.camera.shows(seen) && (measurement == MeasuredBy::bearing || seen.z() <= kFarthestDepth);
 }
 
 }  // namespace
 
 std::optional<Eigen::Matrix2d> place_covariance(const View& view, const ViewCovariance& covariance,
-                                                const Eigen::Vector3d& point, Measurement measurement) {
+                                                const Eigen::Vector3d& point, MeasuredBy measurement) {
   const Eigen::Vector3d seen = view.seen(point);
   const Eigen::Vector2d pixel = view.camera.pixel(seen);
   const Residuals place = [&](const Eigen::VectorXd& step) -> Eigen::VectorXd {
     const View moved = view.moved(step);
-    const auto measured = measurement == Measurement::depth ? moved.point(pixel, seen.z() / view.depth_scale)
-                                                            : moved.point_at_height(pixel, point.z());
+    const auto measured = measurement == MeasuredBy::depth ? moved.point(pixel, seen.z() / view.depth_scale)
+                                                           : moved.point_at_height(pixel, point.z());
     return measured.value_or(Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity())).head<2>();
   };
   const Eigen::Matrix<double, 2, kViewParameters> slopes = slopes_at(place, ViewStep::Zero());
@@ -74,7 +74,7 @@ std::optional<Eigen::Matrix2d> place_covariance(const View& view, const ViewCova
 }
 
 ExpectedError expected_error(const View& view, const ViewCovariance& covariance, const Eigen::Vector2d& reach,
-                             Measurement measurement, double height) {
+                             MeasuredBy measurement, double height) {
   ExpectedError error;
   DistanceMixture distances;
   const auto steps = [](double length) { return static_cast<int>(std::floor(length / kGrid)); };

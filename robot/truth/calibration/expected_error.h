@@ -22,19 +22,19 @@ struct ExpectedError {
 };
 
 /// The way to measure a place: a point's depth, or its bearing and its known height.
-enum class Measurement { depth, bearing };
+enum class MeasuredBy { depth, bearing };
 
-/// The farthest depth [m] that counts for Measurement::depth. Beyond it the noise of a depth is greater than any error of a
+/// The farthest depth [m] that counts for MeasuredBy::depth. Beyond it the noise of a depth is greater than any error of a
 /// calibration.
 inline constexpr double kFarthestDepth = 5;
 
 /// Returns the expected error of points at this height [m], for |x| <= reach.x and |y| <= reach.y [m, field].
 ExpectedError expected_error(const View& view, const ViewCovariance& covariance, const Eigen::Vector2d& reach,
-                             Measurement measurement, double height);
+                             MeasuredBy measurement, double height);
 
 /// Returns the covariance [m²] of a measured place, as the calibration's error moves it. Returns nothing where the sensor
 /// cannot measure it.
 std::optional<Eigen::Matrix2d> place_covariance(const View& view, const ViewCovariance& covariance,
-                                                const Eigen::Vector3d& point, Measurement measurement);
+                                                const Eigen::Vector3d& point, MeasuredBy measurement);
 
 }  // namespace robot::truth

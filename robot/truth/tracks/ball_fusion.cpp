@@ -21,13 +21,13 @@ bool took(BallTrack& ball, const std::vector<Sensor>& sensors, const Measurement
   return true;
 }
 
-BallTrack begun(Scene& scene, const std::vector<Sensor>& sensors, const Measurement& measurement) {
+BallTrack begun(TrackScene& scene, const std::vector<Sensor>& sensors, const Measurement& measurement) {
   const SharedErrors shared = ball_errors(sensors, measurement.place.position);
   return {Sightings::begun(++scene.serials, measurement, shared, scene.now_ns), BallPaths(measurement, shared),
           scene.now_ns, measurement};
 }
 
-void accept_new_ball(Scene& scene) {
+void accept_new_ball(TrackScene& scene) {
   if (!scene.new_ball || !scene.new_ball->sightings.proved()) return;
   if (scene.ball && seconds_between(scene.ball->sightings.newest_ns, scene.now_ns) <= kBallHidden) return;
   scene.ball = scene.new_ball;
@@ -37,7 +37,7 @@ void accept_new_ball(Scene& scene) {
 
 }  // namespace
 
-void advance_ball(Scene& scene, const std::vector<Sensor>& sensors, const SensorImage& image) {
+void advance_ball(TrackScene& scene, const std::vector<Sensor>& sensors, const SensorImage& image) {
   for (std::optional<BallTrack>* ball : {&scene.ball, &scene.new_ball})
     if (*ball && (*ball)->sightings.lost(scene.now_ns)) ball->reset();
 

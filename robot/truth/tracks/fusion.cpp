@@ -18,7 +18,7 @@ constexpr double kDoubted = 0.5;        // [s] unseen: it may be another one
 constexpr double kLongestInterval = 1;  // [s] between images; a longer one is a gap
 constexpr double kLongestStep = 0.2;    // [s] for which one own pose counts
 
-void see_tag(Scene& scene, RobotTrack& robot, const SeenRobot& seen, const OwnPoses& poses) {
+void see_tag(TrackScene& scene, RobotTrack& robot, const SeenRobot& seen, const OwnPoses& poses) {
   if (seen.heading) {
     robot.heading = seen.heading;
     robot.heading_deviation = seen.heading_deviation;
@@ -28,7 +28,7 @@ void see_tag(Scene& scene, RobotTrack& robot, const SeenRobot& seen, const OwnPo
 }
 
 /// Compares a robot that comes back with all others that are hidden.
-void doubt_identity(Scene& scene, RobotTrack& robot, const Measurement& measurement) {
+void doubt_identity(TrackScene& scene, RobotTrack& robot, const Measurement& measurement) {
   if (!hidden(scene, robot)) return;
   const bool long_unseen = seconds_between(robot.sightings.newest_ns, scene.now_ns) > kDoubted;
   for (RobotTrack& other : scene.robots) {
@@ -39,7 +39,7 @@ void doubt_identity(Scene& scene, RobotTrack& robot, const Measurement& measurem
   }
 }
 
-void see_again(Scene& scene, const std::vector<Sensor>& sensors, RobotTrack& robot, const SeenRobot& seen,
+void see_again(TrackScene& scene, const std::vector<Sensor>& sensors, RobotTrack& robot, const SeenRobot& seen,
                std::size_t sensor, const OwnPoses& poses) {
   const Measurement measurement{sensor, seen.place};
   doubt_identity(scene, robot, measurement);
@@ -56,25 +56,25 @@ bool seen_in(const SensorImage& image, const RobotTrack& robot) {
   return robot.sightings.seen_ns[image.sensor] == image.detections.capture_ns;
 }
 
-bool beside_a_seen_robot(const Scene& scene, const SensorImage& image, const Eigen::Vector2d& place) {
+bool beside_a_seen_robot(const TrackScene& scene, const SensorImage& image, const Eigen::Vector2d& place) {
   return std::any_of(scene.robots.begin(), scene.robots.end(), [&](const RobotTrack& robot) {
     return seen_in(image, robot) && (robot.estimate.position() - place).norm() < kOneRobot;
   });
 }
 
-void move_robots(Scene& scene, double dt) {
+void move_robots(TrackScene& scene, double dt) {
   for (RobotTrack& robot : scene.robots)
     robot.estimate = predicted(robot.estimate, robot_step(robot.sightings.shared, dt));
 }
 
-void forget_lost_robots(Scene& scene) {
+void forget_lost_robots(TrackScene& scene) {
   const auto lost = [&](const RobotTrack& robot) { return robot.sightings.lost(scene.now_ns); };
   scene.robots.erase(std::remove_if(scene.robots.begin(), scene.robots.end(), lost), scene.robots.end());
 }
 
 }  // namespace
 
-void Fusion::fill_costs(const Scene& scene, const SensorImage& image, const OwnPoses& poses) {
+void Fusion::fill_costs(const TrackScene& scene, const SensorImage& image, const OwnPoses& poses) {
   const std::vector<SeenRobot>& seen = image.detections.robots;
   costs_.reset(candidates_.size(), seen.size() + candidates_.size());
   for (std::size_t row = 0; row < candidates_.size(); ++row) {
@@ -91,18 +91,18 @@ void Fusion::fill_costs(const Scene& scene, const SensorImage& image, const OwnP
   }
 }
 
-Fusion::Rank Fusion::rank_of(const Scene& scene, const RobotTrack& robot) {
+Fusion::Rank Fusion::rank_of(const TrackScene& scene, const RobotTrack& robot) {
   if (robot.sightings.track == 0) return Rank::unconfirmed;
   return hidden(scene, robot) ? Rank::hidden : Rank::in_view;
 }
 
 /// Takes the detections that are parts of robots that were seen.
-void Fusion::leave_out_seen(const Scene& scene, const SensorImage& image) {
+void Fusion::leave_out_seen(const TrackScene& scene, const SensorImage& image) {
   for (std::size_t i = 0; i < taken_.size(); ++i)
     if (beside_a_seen_robot(scene, image, image.detections.robots[i].place.position)) taken_[i] = 1;
 }
 
-void Fusion::match(Scene& scene, const SensorImage& image, const OwnPoses& poses, Rank rank) {
+void Fusion::match(TrackScene& scene, const SensorImage& image, const OwnPoses& poses, Rank rank) {
   candidates_.clear();
   for (std::size_t i = 0; i < scene.robots.size(); ++i)
     if (rank_of(scene, scene.robots[i]) == rank && !seen_in(image, scene.robots[i])) candidates_.push_back(i);
@@ -122,7 +122,7 @@ void Fusion::match(Scene& scene, const SensorImage& image, const OwnPoses& poses
   }
 }
 
-void Fusion::add_robots(Scene& scene, const SensorImage& image, const OwnPoses& poses) const {
+void Fusion::add_robots(TrackScene& scene, const SensorImage& image, const OwnPoses& poses) const {
   for (std::size_t i = 0; i < image.detections.robots.size() && scene.robots.size() < kMostRobots; ++i) {
     const SeenRobot& seen = image.detections.robots[i];
     if (taken_[i]) continue;
@@ -136,7 +136,7 @@ void Fusion::add_robots(Scene& scene, const SensorImage& image, const OwnPoses& 
   }
 }
 
-void Fusion::advance(Scene& scene, const SensorImage& image, OwnPoses& poses) {
+void Fusion::advance(TrackScene& scene, const SensorImage& image, OwnPoses& poses) {
   const double dt = scene.now_ns == 0 ? 0 : seconds_between(scene.now_ns, image.detections.capture_ns);
   scene.now_ns = image.detections.capture_ns;
   std::uint64_t& newest_ns = scene.image_ns[image.sensor];

@@ -16,16 +16,16 @@ class Fusion {
 
   /// Takes an image into the scene. Its detections are usable (usable.h), its sensor exists, and it is not older than the
   /// scene. Adds the players of its tags to `poses`.
-  void advance(Scene& scene, const SensorImage& image, OwnPoses& poses);
+  void advance(TrackScene& scene, const SensorImage& image, OwnPoses& poses);
 
  private:
   enum class Rank { in_view, hidden, unconfirmed };
-  static Rank rank_of(const Scene& scene, const RobotTrack& robot);
+  static Rank rank_of(const TrackScene& scene, const RobotTrack& robot);
 
-  void match(Scene& scene, const SensorImage& image, const OwnPoses& poses, Rank rank);
-  void fill_costs(const Scene& scene, const SensorImage& image, const OwnPoses& poses);
-  void leave_out_seen(const Scene& scene, const SensorImage& image);
-  void add_robots(Scene& scene, const SensorImage& image, const OwnPoses& poses) const;
+  void match(TrackScene& scene, const SensorImage& image, const OwnPoses& poses, Rank rank);
+  void fill_costs(const TrackScene& scene, const SensorImage& image, const OwnPoses& poses);
+  void leave_out_seen(const TrackScene& scene, const SensorImage& image);
+  void add_robots(TrackScene& scene, const SensorImage& image, const OwnPoses& poses) const;
 
   std::vector<Sensor> sensors_;
   CostTable costs_;

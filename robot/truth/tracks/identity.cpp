@@ -22,7 +22,7 @@ constexpr double kLeastEvidence = -8;  // after that, 4 s of right own poses bin
 constexpr double kMostAfterOcclusion = 3;
 
 /// Lets the pose count for all robots in view.
-void weigh(Scene& scene, std::size_t player, const OwnPose& pose, double weight) {
+void weigh(TrackScene& scene, std::size_t player, const OwnPose& pose, double weight) {
   double most = 0;
   for (RobotTrack& robot : scene.robots) {
     double& evidence = robot.evidence[player];
@@ -39,20 +39,20 @@ void weigh(Scene& scene, std::size_t player, const OwnPose& pose, double weight)
 }
 
 /// Returns the lead of the robot over all others and over "nowhere here".
-double lead_of(const Scene& scene, std::size_t player, const RobotTrack& robot) {
+double lead_of(const TrackScene& scene, std::size_t player, const RobotTrack& robot) {
   double rival = 0;
   for (const RobotTrack& other : scene.robots)
     if (&other != &robot) rival = std::max(rival, other.evidence[player]);
   return robot.evidence[player] - rival;
 }
 
-const RobotTrack* robot_with(const Scene& scene, std::uint32_t serial) {
+const RobotTrack* robot_with(const TrackScene& scene, std::uint32_t serial) {
   const auto found = std::find_if(scene.robots.begin(), scene.robots.end(),
                                   [&](const RobotTrack& robot) { return robot.sightings.serial == serial; });
   return found == scene.robots.end() ? nullptr : &*found;
 }
 
-void bind_or_release(Scene& scene, std::size_t player) {
+void bind_or_release(TrackScene& scene, std::size_t player) {
   std::uint32_t& bound = scene.players[player].robot;
   const RobotTrack* robot = robot_with(scene, bound);
   if (!robot || robot->evidence[player] <= 0) bound = 0;
@@ -60,13 +60,13 @@ void bind_or_release(Scene& scene, std::size_t player) {
     if (lead_of(scene, player, other) >= kBinding) bound = other.sightings.serial;
 }
 
-void release(Scene& scene, const RobotTrack& robot) {
+void release(TrackScene& scene, const RobotTrack& robot) {
   for (KnownPlayer& player : scene.players)
     if (player.robot == robot.sightings.serial) player.robot = 0;
 }
 
 /// Releases the player with less evidence where two have the same robot.
-void settle_rivals(Scene& scene) {
+void settle_rivals(TrackScene& scene) {
   for (const RobotTrack& robot : scene.robots) {
     std::size_t best = kMostPlayers;
     for (std::size_t player = 0; player < scene.players.size(); ++player) {
@@ -92,12 +92,12 @@ double evidence_of(const OwnPose& pose, const Eigen::Vector2d& position, const E
   return std::log(kWrongPose + (1 - kWrongPose) * density * kFieldArea);
 }
 
-void know_players(Scene& scene, const OwnPoses& poses) {
+void know_players(TrackScene& scene, const OwnPoses& poses) {
   for (std::size_t player = scene.players.size(); player < poses.players().size(); ++player)
     scene.players.push_back({poses.players()[player].team, poses.players()[player].number, 0});
 }
 
-void identify(Scene& scene, const OwnPoses& poses, double dt) {
+void identify(TrackScene& scene, const OwnPoses& poses, double dt) {
   for (std::size_t player = 0; player < poses.players().size(); ++player) {
     if (const OwnPose* pose = poses.players()[player].at(scene.now_ns)) weigh(scene, player, *pose, dt / kIndependent);
     bind_or_release(scene, player);
@@ -105,26 +105,26 @@ void identify(Scene& scene, const OwnPoses& poses, double dt) {
   settle_rivals(scene);
 }
 
-void identify_by_tag(Scene& scene, std::size_t player, RobotTrack& robot) {
+void identify_by_tag(TrackScene& scene, std::size_t player, RobotTrack& robot) {
   for (RobotTrack& other : scene.robots) other.evidence[player] = kLeastEvidence;
   robot.evidence.fill(kLeastEvidence);
   robot.evidence[player] = kMostEvidence;
   scene.players[player].robot = robot.sightings.serial;
 }
 
-void doubt(Scene& scene, RobotTrack& robot) {
+void doubt(TrackScene& scene, RobotTrack& robot) {
   release(scene, robot);
   for (double& evidence : robot.evidence) evidence = std::min(evidence, kMostAfterOcclusion);
 }
 
-void confuse(Scene& scene, RobotTrack& one, RobotTrack& other) {
+void confuse(TrackScene& scene, RobotTrack& one, RobotTrack& other) {
   doubt(scene, one);
   doubt(scene, other);
   for (std::size_t player = 0; player < kMostPlayers; ++player)
     one.evidence[player] = other.evidence[player] = std::max(one.evidence[player], other.evidence[player]);
 }
 
-std::optional<std::size_t> player_of(const Scene& scene, const RobotTrack& robot) {
+std::optional<std::size_t> player_of(const TrackScene& scene, const RobotTrack& robot) {
   const auto found = std::find_if(scene.players.begin(), scene.players.end(),
                                   [&](const KnownPlayer& player) { return player.robot == robot.sightings.serial; });
   if (found == scene.players.end()) return std::nullopt;

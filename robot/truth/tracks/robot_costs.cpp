@@ -29,7 +29,7 @@ double place_cost(const Place& expected, const Place& seen) {
   return 0.5 * distance + 0.5 * std::log(covariance.determinant()) + std::log(2 * std::numbers::pi) - kNewCost;
 }
 
-double identity_cost(const Scene& scene, const RobotTrack& robot, const SeenRobot& seen, const OwnPoses& poses) {
+double identity_cost(const TrackScene& scene, const RobotTrack& robot, const SeenRobot& seen, const OwnPoses& poses) {
   const std::optional<std::size_t> player = player_of(scene, robot);
   if (!player) return 0;
   if (const auto tag = tagged_player(seen, poses)) return *tag == *player ? -kTagGain : kImpossible;
@@ -44,7 +44,7 @@ std::optional<std::size_t> tagged_player(const SeenRobot& seen, const OwnPoses& 
   return seen.team && seen.player ? poses.find(*seen.team, *seen.player) : std::nullopt;
 }
 
-bool hidden(const Scene& scene, const RobotTrack& robot) {
+bool hidden(const TrackScene& scene, const RobotTrack& robot) {
   const double unseen = seconds_between(robot.sightings.newest_ns, scene.now_ns);
   return robot.sightings.track != 0 && unseen > std::max(kHiddenAfter, kHiddenImages * scene.interval);
 }

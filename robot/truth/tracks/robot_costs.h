@@ -13,12 +13,12 @@ constexpr double kImpossible = 1e6;  // more than all other costs together
 double place_cost(const Place& expected, const Place& seen);
 
 /// Returns the cost that tag and own pose add if the robot is the seen one; kImpossible if the tag is another player's.
-double identity_cost(const Scene& scene, const RobotTrack& robot, const SeenRobot& seen, const OwnPoses& poses);
+double identity_cost(const TrackScene& scene, const RobotTrack& robot, const SeenRobot& seen, const OwnPoses& poses);
 
 /// Returns the index of the player whose tag was read, or nothing.
 std::optional<std::size_t> tagged_player(const SeenRobot& seen, const OwnPoses& poses);
 
 /// Reports whether a confirmed robot was not seen for more than 0.1 s, and in the two images before this one.
-bool hidden(const Scene& scene, const RobotTrack& robot);
+bool hidden(const TrackScene& scene, const RobotTrack& robot);
 
 }  // namespace robot::truth

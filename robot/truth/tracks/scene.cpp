@@ -12,18 +12,18 @@ namespace {
 constexpr double kNewImage = 0.1;    // [s]
 constexpr double kNewHeading = 0.1;  // [s]
 
-bool shown_by(const Scene& scene, const Sightings& sightings, std::size_t sensor) {
+bool shown_by(const TrackScene& scene, const Sightings& sightings, std::size_t sensor) {
   return sightings.seen_ns[sensor] != 0 && sightings.seen_ns[sensor] == scene.image_ns[sensor] &&
          seconds_between(scene.image_ns[sensor], scene.now_ns) <= kNewImage;
 }
 
-std::uint32_t sensors_of(const Scene& scene, const Sightings& sightings) {
+std::uint32_t sensors_of(const TrackScene& scene, const Sightings& sightings) {
   std::uint32_t count = 0;
   for (std::size_t sensor = 0; sensor < kMostSensors; ++sensor) count += shown_by(scene, sightings, sensor);
   return count;
 }
 
-FusedPlace place_in(const Scene& scene, const Sightings& sightings, const Estimate& estimate) {
+FusedPlace place_in(const TrackScene& scene, const Sightings& sightings, const Estimate& estimate) {
   return place_of(estimate, sightings.track, sensors_of(scene, sightings));
 }
 
@@ -35,8 +35,8 @@ void add_disagreement(FusedTruth& truth, const Sightings& sightings, const std::
 
 }  // namespace
 
-Scene restarted(const Scene& scene) {
-  Scene empty;
+TrackScene restarted(const TrackScene& scene) {
+  TrackScene empty;
   empty.serials = scene.serials;
   empty.robots_born = scene.robots_born;
   empty.balls_born = scene.balls_born;
@@ -52,9 +52,9 @@ FusedPlace place_of(const Estimate& estimate, std::uint32_t track, std::uint32_t
           .sensors = sensors};
 }
 
-bool visible(const Scene& scene, const Sightings& sightings) { return sensors_of(scene, sightings) > 0; }
+bool visible(const TrackScene& scene, const Sightings& sightings) { return sensors_of(scene, sightings) > 0; }
 
-FusedRobot report_of(const Scene& scene, const RobotTrack& robot) {
+FusedRobot report_of(const TrackScene& scene, const RobotTrack& robot) {
   FusedRobot report{.place = place_in(scene, robot.sightings, robot.estimate)};
   for (const KnownPlayer& player : scene.players)
     if (player.robot == robot.sightings.serial) {
@@ -69,13 +69,13 @@ FusedRobot report_of(const Scene& scene, const RobotTrack& robot) {
   return report;
 }
 
-FusedBall report_of(const Scene& scene, const BallTrack& ball) {
+FusedBall report_of(const TrackScene& scene, const BallTrack& ball) {
   const Estimate newest = ball.paths.mixture();
   const double dt = seconds_between(ball.paths_ns, scene.now_ns);
   return {place_in(scene, ball.sightings, predicted(newest, ball_step(newest, ball.sightings.shared, dt)))};
 }
 
-FusedTruth truth_of(const Scene& scene) {
+FusedTruth truth_of(const TrackScene& scene) {
   FusedTruth truth{.capture_ns = scene.now_ns};
   for (std::size_t sensor = 0; sensor < kMostSensors; ++sensor)
     if (seconds_between(scene.image_ns[sensor], scene.now_ns) <= kNewImage)

@@ -41,7 +41,7 @@ struct KnownPlayer {
 };
 
 /// All tracks at one moment. A plain value: a copy is a state to which a tracker can return. Bounded memory.
-struct Scene {
+struct TrackScene {
   std::uint64_t now_ns = 0;                                    // of the newest image; 0: none yet
   double interval = 0;                                         // [s] between the newest two images of its sensor
   std::array<std::uint64_t, kMostSensors> image_ns{};          // newest image of each sensor; 0: none
@@ -53,17 +53,17 @@ struct Scene {
 };
 
 /// Returns an empty scene that goes on with the numbers of this one.
-Scene restarted(const Scene& scene);
+TrackScene restarted(const TrackScene& scene);
 
 /// Returns the truth of the scene: all confirmed things that the newest image of a sensor shows, if that image is at most
 /// 0.1 s old. They are moved on to the time of the newest image.
-FusedTruth truth_of(const Scene& scene);
+FusedTruth truth_of(const TrackScene& scene);
 
 /// Reports whether the newest image of a sensor shows the thing, and that image is at most 0.1 s old.
-bool visible(const Scene& scene, const Sightings& sightings);
+bool visible(const TrackScene& scene, const Sightings& sightings);
 
 FusedPlace place_of(const Estimate& estimate, std::uint32_t track, std::uint32_t sensors);
-FusedRobot report_of(const Scene& scene, const RobotTrack& robot);
-FusedBall report_of(const Scene& scene, const BallTrack& ball);
+FusedRobot report_of(const TrackScene& scene, const RobotTrack& robot);
+FusedBall report_of(const TrackScene& scene, const BallTrack& ball);
 
 }  // namespace robot::truth

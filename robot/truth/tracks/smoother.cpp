@@ -22,7 +22,7 @@ struct Passage {
   std::map<std::uint32_t, Trail> balls;
 };
 
-Moment moment_of(const Scene& scene, std::size_t image, const Sightings& sightings) {
+Moment moment_of(const TrackScene& scene, std::size_t image, const Sightings& sightings) {
   return {.image = image, .capture_ns = scene.now_ns, .track = sightings.track, .measurement = {}};
 }
 
@@ -32,7 +32,7 @@ void note_player(RobotTrail& trail, std::optional<std::size_t> player) {
   trail.player = player;
 }
 
-void note_robots(Passage& passage, const Scene& scene, std::size_t image) {
+void note_robots(Passage& passage, const TrackScene& scene, std::size_t image) {
   for (const RobotTrack& robot : scene.robots) {
     if (!visible(scene, robot.sightings)) continue;
     RobotTrail& trail = passage.robots[robot.sightings.serial];
@@ -43,7 +43,7 @@ void note_robots(Passage& passage, const Scene& scene, std::size_t image) {
   }
 }
 
-void note_balls(Passage& passage, const Scene& scene, std::size_t image) {
+void note_balls(Passage& passage, const TrackScene& scene, std::size_t image) {
   for (const std::optional<BallTrack>* ball : {&scene.ball, &scene.new_ball}) {
     if (!*ball) continue;
     const bool measured = (*ball)->paths_ns == scene.now_ns;
@@ -58,7 +58,7 @@ void note_balls(Passage& passage, const Scene& scene, std::size_t image) {
 Passage passage_of(Fusion& fusion, const std::vector<SensorImage>& images, const std::vector<OwnPose>& poses,
                    OwnPoses& known) {
   Passage passage;
-  Scene scene;
+  TrackScene scene;
   auto pose = poses.begin();
   std::uint64_t refused = 0;
   for (std::size_t i = 0; i < images.size(); ++i) {

@@ -47,7 +47,7 @@ class Tracker {
  private:
   struct Past {
     SensorImage image;
-    Scene before;
+    TrackScene before;
   };
 
   Result<void> check(const SensorImage& image);
@@ -59,7 +59,7 @@ class Tracker {
 
   Fusion fusion_;
   OwnPoses poses_;
-  Scene scene_;
+  TrackScene scene_;
   std::vector<std::unique_ptr<Past>> past_;  // the newest images, in the order of their times; the rest is spare
   std::size_t past_count_ = 0;
   std::uint64_t late_in_a_row_ = 0;
