@@ -99,11 +99,9 @@ PlantedDistances planted_distances(const PlantedPlan& plan) {
   return distances;
 }
 
-robot::lab::SharedQuantity shared_distance(const PlantedDistances& distances) {
-  constexpr double kGrowsFrom = 0.5;  // [m]
+robot::lab::SharedDistance shared_distance(const PlantedDistances& distances) {
   return {.truth = std::make_shared<robot::lab::SmoothCurve>(robot::lab::tidied(distances.truth)),
-          .robot = robot::lab::tidied(distances.seen),
-          .grows_from = kGrowsFrom};
+          .seen = robot::lab::tidied(distances.seen)};
 }
 
 }  // namespace tests

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "robot/lab/clocks/series.h"
-#include "robot/lab/clocks/shared_quantity.h"
+#include "robot/lab/clocks/shared_distance.h"
 
 namespace tests {
 
@@ -26,7 +26,7 @@ struct PlantedDistances {
 
 PlantedDistances planted_distances(const PlantedPlan& plan);
 
-/// Returns the distances as a quantity of both sides.
-robot::lab::SharedQuantity shared_distance(const PlantedDistances& distances);
+/// Returns the distances of both sides.
+robot::lab::SharedDistance shared_distance(const PlantedDistances& distances);
 
 }  // namespace tests

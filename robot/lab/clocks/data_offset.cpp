@@ -9,43 +9,19 @@ constexpr double kPart = 120;            // [s]
 constexpr double kPartDeviation = 0.06;  // [s] parts with a larger one do not count
 constexpr std::size_t kLeastParts = 3;
 
-double first_of(const std::vector<SharedQuantity>& quantities) {
-  double first = INFINITY;
-  for (const SharedQuantity& quantity : quantities)
-    if (!quantity.robot.empty()) first = std::min(first, quantity.robot.front().at);
-  return first;
-}
-
-double last_of(const std::vector<SharedQuantity>& quantities) {
-  double last = -INFINITY;
-  for (const SharedQuantity& quantity : quantities)
-    if (!quantity.robot.empty()) last = std::max(last, quantity.robot.back().at);
-  return last;
-}
-
-/// Returns the quantities with the robot's values from `from` to `to` [s].
-std::vector<SharedQuantity> part_of(const std::vector<SharedQuantity>& quantities, double from, double to) {
-  std::vector<SharedQuantity> part;
-  for (const SharedQuantity& whole : quantities) {
-    const auto begin = std::ranges::lower_bound(whole.robot, from, {}, &Sample::at);
-    const auto end = std::ranges::lower_bound(whole.robot, to, {}, &Sample::at);
-    part.push_back(whole);
-    part.back().robot.assign(begin, end);
-  }
-  return part;
-}
-
-std::vector<PartOffset> parts_of(const std::vector<SharedQuantity>& quantities, double coarse) {
+/// Returns the offsets of the parts that tell one.
+std::vector<PartOffset> parts_of(const SharedDistance& distance, double coarse) {
   std::vector<PartOffset> parts;
-  const double first = first_of(quantities), last = last_of(quantities);
-  const double count = std::floor((last - first) / kPart), length = (last - first) / count;
-  for (double i = 0; i < count; ++i) {
-    const auto part = part_of(quantities, first + i * length, first + (i + 1) * length);
+  SharedDistance part = distance;
+  for (auto begin = distance.seen.begin(); begin != distance.seen.end();) {
+    const auto end = std::ranges::lower_bound(begin, distance.seen.end(), begin->at + kPart, {}, &Sample::at);
+    part.seen.assign(begin, end);
+    begin = end;
     // a drift of 100 ppm moves the offset by 0.36 s in an hour
     const auto near = find_coarse_lag(part, {.middle = coarse, .reach = 1});
     if (!near) continue;
     if (const auto lag = refined_lag(part, near->seconds, kPartDeviation))
-      parts.push_back({.middle = first + (i + 0.5) * length, .lag = *lag});
+      parts.push_back({.middle = (part.seen.front().at + part.seen.back().at) / 2, .lag = *lag});
   }
   return parts;
 }
@@ -76,15 +52,15 @@ DataOffset line_through(const std::vector<PartOffset>& parts) {
   return line;
 }
 
-Result<DataOffset> find_offset(const std::vector<SharedQuantity>& quantities, const LagRange& range) {
-  const auto coarse = find_coarse_lag(quantities, range);
+Result<DataOffset> find_offset(const SharedDistance& distance, const LagRange& range) {
+  const auto coarse = find_coarse_lag(distance, range);
   if (!coarse) return coarse.failure();
-  const double first = first_of(quantities), last = last_of(quantities);
+  const double first = distance.seen.front().at, last = distance.seen.back().at;
   if (last - first >= static_cast<double>(kLeastParts) * kPart) {
-    const auto parts = parts_of(quantities, coarse->seconds);
+    const auto parts = parts_of(distance, coarse->seconds);
     if (parts.size() >= kLeastParts) return line_through(parts);
   }
-  const auto lag = refined_lag(quantities, coarse->seconds);
+  const auto lag = refined_lag(distance, coarse->seconds);
   if (!lag) return lag.failure();
   return DataOffset{.offset = lag->seconds, .deviation = lag->deviation, .middle = (first + last) / 2};
 }

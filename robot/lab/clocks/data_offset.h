@@ -1,4 +1,4 @@
-// The offset of a robot's clock as a line in time, found from quantities that ground truth and robot both measured.
+// The offset of a robot's clock as a line in time, found from the distance of the ball.
 #pragma once
 
 #include <cmath>
@@ -6,11 +6,12 @@
 
 #include "robot/core/result.h"
 #include "robot/lab/clocks/lag_search.h"
-#include "robot/lab/clocks/shared_quantity.h"
+#include "robot/lab/clocks/shared_distance.h"
 
 namespace robot::lab {
 
-/// The offset of a robot's clock. Its times are by that clock, [s] since the epoch of the quantities.
+/// The offset of a robot's clock. Its times are by that clock, [s] since the epoch of
+/// the distances.
 struct DataOffset {
   double offset = 0;           // [s] at `middle`; > 0: the robot's clock is ahead
   double deviation = 0;        // [s] one standard deviation at `middle`
@@ -28,9 +29,9 @@ struct DataOffset {
   double deviation_at(double seconds) const { return std::hypot(deviation, drift_deviation * (seconds - middle)); }
 };
 
-/// Finds the offset in `range`. The drift is estimated in recordings of more than six minutes, from the offsets of parts of
-/// two minutes. Returns an Error as find_coarse_lag() and refined_lag() do.
-Result<DataOffset> find_offset(const std::vector<SharedQuantity>& quantities, const LagRange& range);
+/// Finds the offset in `range`. If three parts of two minutes or more tell it, it is the line through their offsets, with
+/// the drift. Returns an Error as find_coarse_lag() and refined_lag() do.
+Result<DataOffset> find_offset(const SharedDistance& distance, const LagRange& range);
 
 /// One part's offset.
 struct PartOffset {

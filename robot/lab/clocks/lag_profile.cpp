@@ -7,38 +7,37 @@
 namespace robot::lab {
 namespace {
 
-/// The points of a quantity at one lag.
+constexpr double kLeastSlope = 0.3, kMostSlope = 3;  // [-] others are accidents
+
+/// The points of a distance at one lag.
 struct Points {
   std::vector<LinePoint> points;
-  std::vector<std::size_t> samples;  // the index of each point's value
+  std::vector<double> times;  // [s] of the points, by the robot's clock
 
-  Points(const SharedQuantity& quantity, double lag) {
-    for (std::size_t i = 0; i < quantity.robot.size(); ++i)
-      if (const auto point = quantity.point(quantity.robot[i], lag)) {
+  Points(const SharedDistance& distance, double lag) {
+    for (const Sample& sample : distance.seen)
+      if (const auto point = distance.point(sample, lag)) {
         points.push_back(*point);
-        samples.push_back(i);
+        times.push_back(sample.at);
       }
   }
 };
 
-/// Returns the quantity with the values that have a truth at every lag.
-SharedQuantity seen_everywhere(SharedQuantity quantity, const Lags& lags) {
-  std::erase_if(quantity.robot, [&](const Sample& seen) {
+/// Returns the distance with the values that have a truth at every lag.
+SharedDistance seen_everywhere(SharedDistance distance, const Lags& lags) {
+  std::erase_if(distance.seen, [&](const Sample& sample) {
     for (std::size_t i = 0; i < lags.count; ++i)
-      if (!quantity.truth->at(seen.at - lags.at(i))) return true;
+      if (!distance.truth->at(sample.at - lags.at(i))) return true;
     return false;
   });
-  return quantity;
+  return distance;
 }
 
-/// Returns the value that explains all values best without a truth.
-double constant_of(const SharedQuantity& quantity) {
-  if (quantity.robot.empty()) return 0;
+double median_distance(const Series& seen) {
   std::vector<double> values;
-  for (const Sample& seen : quantity.robot) values.push_back(seen.value);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+  values.reserve(seen.size());
+  for (const Sample& sample : seen) values.push_back(sample.value);
+  return median_of(std::move(values));
 }
 
 }  // namespace
@@ -48,40 +47,47 @@ Lags Lags::around(double middle, double reach, double step) {
   return {.first = middle - each_side * step, .step = step, .count = 2 * static_cast<std::size_t>(each_side) + 1};
 }
 
-std::size_t Cells::of(double at) const {
-  return static_cast<std::size_t>(std::clamp((at - start) / length, 0.0, static_cast<double>(count - 1)));
+Cells::Cells(const Series& series, double length, std::size_t most) {
+  std::vector<double> starts;
+  for (const Sample& sample : series)
+    if (starts.empty() || sample.at >= starts.back() + length) starts.push_back(sample.at);
+  const std::size_t joined = std::max<std::size_t>(1, (starts.size() + most - 1) / most);
+  for (std::size_t i = 0; i < starts.size(); i += joined) starts_.push_back(starts[i]);
 }
 
-void LagProfile::add(const SharedQuantity& given, bool everywhere) {
-  const SharedQuantity quantity = everywhere ? seen_everywhere(given, lags_) : given;
-  const Line constant{.bias = constant_of(quantity), .slope = 0};
-  Table table{.least_slope = quantity.least_slope,
-              .most_slope = quantity.most_slope,
-              .sums = std::vector<LossSums>(lags_.count * cells_.count)};
+std::size_t Cells::of(double at) const {
+  return static_cast<std::size_t>(std::ranges::upper_bound(starts_, at) - starts_.begin()) - 1;
+}
+
+LagProfile::LagProfile(const SharedDistance& distance, const Lags& lags, Cells cells, Everywhere everywhere)
+    : lags_(lags), cells_(std::move(cells)), sums_(lags_.count * cells_.count()) {
+  add(everywhere == Everywhere::yes ? seen_everywhere(distance, lags_) : distance);
+}
+
+void LagProfile::add(const SharedDistance& distance) {
+  const Line constant{.bias = median_distance(distance.seen), .slope = 0};
   Line line{.bias = 0, .slope = 1};
   for (std::size_t lag = 0; lag < lags_.count; ++lag) {
-    const Points at_lag(quantity, lags_.at(lag));
-    values_[lag] += at_lag.points.size();
-    line = fitted(at_lag.points, line);
+    const Points at_lag(distance, lags_.at(lag));
+    values_ = std::max(values_, at_lag.points.size());
+    line = fitted(at_lag.points, line);  // neighbours have similar lines
     for (std::size_t i = 0; i < at_lag.points.size(); ++i) {
-      LossSums& sums = table.sums[lag * cells_.count + cells_.of(quantity.robot[at_lag.samples[i]].at)];
+      LossSums& sums = sums_[lag * cells_.count() + cells_.of(at_lag.times[i])];
       sums.add(at_lag.points[i], line);
       sums.constant -= loss(constant.residual(at_lag.points[i]));
     }
   }
-  tables_.push_back(std::move(table));
 }
 
 std::vector<double> LagProfile::gains(const std::vector<double>& times) const {
   std::vector<double> gains(lags_.count, 0);
-  for (const Table& table : tables_)
-    for (std::size_t lag = 0; lag < lags_.count; ++lag) {
-      LossSums sums;
-      for (std::size_t cell = 0; cell < cells_.count; ++cell)
-        if (times[cell] > 0) sums.add(table.sums[lag * cells_.count + cell], times[cell]);
-      const Line line = sums.best();
-      if (line.slope >= table.least_slope && line.slope <= table.most_slope) gains[lag] -= sums.loss_of(line);
-    }
+  for (std::size_t lag = 0; lag < lags_.count; ++lag) {
+    LossSums sums;
+    for (std::size_t cell = 0; cell < cells_.count(); ++cell)
+      if (times[cell] > 0) sums.add(sums_[lag * cells_.count() + cell], times[cell]);
+    const Line line = sums.best();
+    if (line.slope >= kLeastSlope && line.slope <= kMostSlope) gains[lag] = -sums.loss_of(line);
+  }
   return gains;
 }
 

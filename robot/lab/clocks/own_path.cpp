@@ -71,7 +71,7 @@ Result<OwnPath> by_fit(const TruthRecord& truth, const RobotRecord& robot, const
   double gain = 0, next_gain = 0;
   std::string reason = "the truth has no robot";
   for (const TrueRobotPath& candidate : truth.robots) {
-    const auto found = find_coarse_lag({ball_distance(truth, candidate.path, robot)}, range);
+    const auto found = find_coarse_lag(ball_distance(truth, candidate.path, robot), range);
     if (!found) reason = found.error();
     if (!found) continue;
     next_gain = std::max(next_gain, std::min(gain, found->gain));
@@ -107,11 +107,8 @@ Result<OwnPath> own_path(const TruthRecord& truth, const RobotRecord& robot, con
   return with_poses(std::move(*fitting), robot, range);
 }
 
-SharedQuantity ball_distance(const TruthRecord& truth, const Path& own, const RobotRecord& robot) {
-  constexpr double kGrowsFrom = 0.5;  // [m]
-  return {.truth = std::make_shared<SmoothCurve>(tidied(distances_between(truth.ball, own))),
-          .robot = robot.ranges,
-          .grows_from = kGrowsFrom};
+SharedDistance ball_distance(const TruthRecord& truth, const Path& own, const RobotRecord& robot) {
+  return {.truth = std::make_shared<SmoothCurve>(tidied(distances_between(truth.ball, own))), .seen = robot.ranges};
 }
 
 }  // namespace robot::lab

@@ -19,11 +19,11 @@ struct OwnPath {
   FieldPoses poses;  // empty if the robot recorded no pose, or if its poses fit no path
 };
 
-/// Finds the robot's own path: by its number if the truth has numbers, by its pose if that is clearly closest to one path,
-/// or by the distances to the ball if these fit one path clearly best. Returns an Error with the reason if none is.
+/// Finds the robot's own path: by its number if the truth has it, else by its pose if that is clearly closest to one path.
+/// Otherwise the distances to the ball must fit one path clearly best. Returns an Error with the reason if none is found.
 Result<OwnPath> own_path(const TruthRecord& truth, const RobotRecord& robot, const LagRange& range);
 
 /// Returns the distance between the robot and the ball, as truth and robot have it.
-SharedQuantity ball_distance(const TruthRecord& truth, const Path& own, const RobotRecord& robot);
+SharedDistance ball_distance(const TruthRecord& truth, const Path& own, const RobotRecord& robot);
 
 }  // namespace robot::lab

@@ -82,7 +82,7 @@ FieldPoses fit_poses(const std::vector<PoseBelief>& poses, const Path& path, con
   FieldPoses best;
   if (poses.empty()) return best;
   const std::vector<PoseBelief> few = few_of(poses);
-  const Lags lags = Lags::around(range.middle, range.reach, kStep);
+  const Lags lags = Lags::around(range.middle, std::min(range.reach, kLongestReach), kStep);
   std::vector<PoseFit> fits;
   std::size_t most = 0;
   for (std::size_t i = 0; i < lags.count; ++i) {

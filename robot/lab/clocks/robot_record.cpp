@@ -36,7 +36,8 @@ struct Seen {
 Seen seen_in_images(const logging::Session& session, const std::string& topic, const Epoch& epoch) {
   Seen seen;
   logging::read_each<foresight::Vision>(session, topic, [&](const foresight::Vision& vision, std::uint64_t capture_ns) {
-    seen.add(epoch(capture_ns), vision.has_ball(), vision.ball().detection().distance());
+    const float distance = vision.ball().detection().distance();
+    seen.add(epoch(capture_ns), vision.has_ball() && distance > 0, static_cast<double>(distance));
   });
   return seen;
 }

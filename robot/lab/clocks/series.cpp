@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace robot::lab {
 namespace {
@@ -16,10 +17,7 @@ using Iterator = Series::const_iterator;
 double median_interval(const Series& series) {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < series.size(); ++i) intervals.push_back(series[i].at - series[i - 1].at);
-  if (intervals.empty()) return 0;
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::ranges::nth_element(intervals, middle);
-  return *middle;
+  return median_of(std::move(intervals));
 }
 
 /// Returns the value at `at` of the parabola through the samples, which are weighted by a triangle. Returns NaN if they do
@@ -44,6 +42,13 @@ double parabola_at(double at, double half_window, Iterator begin, Iterator end) 
 }
 
 }  // namespace
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
 
 Series tidied(Series series) {
   std::erase_if(series, [](const Sample& sample) { return !std::isfinite(sample.at) || !std::isfinite(sample.value); });

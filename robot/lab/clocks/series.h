@@ -14,6 +14,9 @@ struct Sample {
 
 using Series = std::vector<Sample>;
 
+/// Returns the middle one of the values, the upper one of two; 0 without any.
+double median_of(std::vector<double> values);
+
 /// Returns the finite samples in the order of their times. Of several samples at one time the first counts.
 Series tidied(Series series);
 

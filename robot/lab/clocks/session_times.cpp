@@ -13,7 +13,7 @@ double seconds_of(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
 bool has_truth(const logging::Session& session) {
   return std::ranges::any_of(session.streams, [](const logging::StreamFile& stream) {
-    return stream.topic == "/truth/world" && stream.messages > 0;
+    return stream.topic == kTruthTopic && stream.messages > 0;
   });
 }
 
@@ -53,7 +53,8 @@ struct Compared {
     const ClockOwners owners{.reference = name_of(0), .other = name_of(session)};
     const Result<TruthOffset> ours = offset_of(0), theirs = offset_of(session);
     for (const Result<TruthOffset>* offset : {&ours, &theirs})
-      if (!*offset) return no_agreement(owners, "no clock samples of one machine are in both, and " + offset->error());
+      if (!*offset)
+        return no_agreement(owners, "no good clock samples of one machine are in both, and " + offset->error());
     const std::string by = ours->by.empty() || theirs->by.empty() ? ours->by + theirs->by : "the ground truth of both";
     // both lines are exact at their middle; one time serves for both
     const double at = session == truth ? ours->clock.middle : theirs->clock.middle;

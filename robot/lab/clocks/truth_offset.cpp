@@ -1,9 +1,7 @@
 #include "robot/lab/clocks/truth_offset.h"
 
 #include <cmath>
-#include <memory>
-#include <utility>
-#include <vector>
+#include <cstdint>
 
 #include "robot/core/text.h"
 
@@ -15,7 +13,7 @@ constexpr double kGestureReach = 1;  // [s] around the lag of a gesture
 Result<TruthOffset> offset_by_motion(const TruthRecord& truth, const RobotRecord& robot, const LagRange& range) {
   const auto own = own_path(truth, robot, range);
   if (!own) return own.failure();
-  const auto clock = find_offset({ball_distance(truth, own->path, robot)}, range);
+  const auto clock = find_offset(ball_distance(truth, own->path, robot), range);
   if (!clock) return clock.failure();
   return TruthOffset{.clock = *clock, .by = "the ball, as " + own->name + " of the truth (by " + own->by + ")"};
 }
@@ -34,16 +32,17 @@ std::string drift_text(const DataOffset& clock) {
                    kTwoSided * clock.drift_deviation * kPpm);
 }
 
-Result<TruthOffset> offset_from_data(const TruthRecord& truth, const RobotRecord& robot, LagRange range) {
-  const auto gesture = gesture_lag(gestures_in(truth.sightings), gestures_in(robot.sightings), range);
-  if (gesture) range = {.middle = gesture->seconds, .reach = kGestureReach};
+Result<TruthOffset> offset_from_data(const TruthRecord& truth, const RobotRecord& robot, const LagRange& range) {
   auto moved = offset_by_motion(truth, robot, range);
-  if (moved && gesture) moved->by = "the start gesture and " + moved->by;
-  if (moved || !gesture) return moved;
-  const double middle = truth.sightings.front().at + gesture->seconds;
-  return TruthOffset{
-      .clock = {.offset = gesture->seconds, .deviation = gesture->deviation, .middle = middle, .drift = 0},
-      .by = "the start gesture"};
+  if (moved) return moved;
+  const auto gesture = gesture_lag(gestures_in(truth.sightings), gestures_in(robot.sightings), range);
+  if (!gesture) return moved;
+  moved = offset_by_motion(truth, robot, {.middle = gesture->seconds, .reach = kGestureReach});
+  if (!moved)
+    return TruthOffset{.clock = {.offset = gesture->seconds, .deviation = gesture->deviation},
+                       .by = "the start gesture"};
+  moved->by = "the start gesture and " + moved->by;
+  return moved;
 }
 
 }  // namespace robot::lab

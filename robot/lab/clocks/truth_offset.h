@@ -25,8 +25,8 @@ ClockOffset to_clock_offset(const DataOffset& clock);
 /// Formats a measured drift: "12.0 ppm (± 1.3 ppm)", or "not significant: …". Empty if the drift was not measured.
 std::string drift_text(const DataOffset& clock);
 
-/// Finds the offset in `range`. A start gesture in both records narrows the search, and is the offset itself if the rest of
-/// the recording does not tell it. Returns an Error with the reason if the data do not tell the offset.
-Result<TruthOffset> offset_from_data(const TruthRecord& truth, const RobotRecord& robot, LagRange range);
+/// Finds the offset in `range` from the motion of the ball. If that is not certain, a start gesture in both records narrows
+/// the search; it is the offset itself if the rest of the recording still does not tell it. Returns an Error with the reason if the data do not tell the offset.
+Result<TruthOffset> offset_from_data(const TruthRecord& truth, const RobotRecord& robot, const LagRange& range);
 
 }  // namespace robot::lab

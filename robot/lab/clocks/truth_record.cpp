@@ -12,8 +12,6 @@ namespace {
 
 using foresight::GroundTruth;
 
-constexpr const char* kTruthTopic = "/truth/world";
-
 bool is_finite(float x, float y) { return std::isfinite(x) && std::isfinite(y); }
 
 /// Orders the places by their times. Of several at one time the first stays.
@@ -74,9 +72,7 @@ class TruthRecorder {
       record_.robots.push_back({.name = name, .path = std::move(path)});
     }
     if (!deviations_.empty()) {
-      const auto middle = deviations_.begin() + static_cast<std::ptrdiff_t>(deviations_.size() / 2);
-      std::ranges::nth_element(deviations_, middle);
-      record_.ball_deviation = *middle;
+      record_.ball_deviation = median_of(std::move(deviations_));
     }
     return std::move(record_);
   }
