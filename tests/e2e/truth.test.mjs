@@ -1,0 +1,147 @@
+// foresight-lab truth: synthetic sensors watch a simulated game, over the network and in the view Ground truth.
+import assert from "node:assert/strict";
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { open, shoot } from "./browser.mjs";
+import { Live } from "./live.mjs";
+import { dataFile, needsData, run, start, temporaryFolder, until } from "./support.mjs";
+
+const watchField = (t, ...options) => start(t, temporaryFolder(t), "foresight-lab", "truth", ...options);
+
+/** The newest message of a topic, decoded. */
+const newest = async (live, topic) => live.decoded(topic, await live.newest(topic));
+
+/** Waits until a message of a topic fulfils a condition, and returns it. */
+const until_ = (live, topic, condition, what) =>
+  until(async () => {
+    const message = await newest(live, topic);
+    return condition(message) && message;
+  }, what);
+
+/** The pixel of a point [m, field] in the image of a sensor, or undefined outside of it. */
+function pixelOf({ place, pinhole }, { x, y, z }) {
+  const away = [x - place.x, y - place.y, z - place.z];
+  const [right, down, ahead] = [0, 1, 2].map((axis) =>
+    away.reduce((sum, value, i) => sum + place.rotation[3 * i + axis] * value, 0),
+  );
+  if (ahead <= 0) return undefined;
+  const at = {
+    x: pinhole.centre_x + (pinhole.focal_x * right) / ahead,
+    y: pinhole.centre_y + (pinhole.focal_y * down) / ahead,
+  };
+  return at.x > 5 && at.y > 5 && at.x < pinhole.width - 5 && at.y < pinhole.height - 5 ? at : undefined;
+}
+
+test("a synthetic sensor finds the robots of a simulated game, and says how well", async (t) => {
+  const server = await watchField(t, "--source", "synthetic", "--seed", "7");
+  const live = await Live.open(t, server);
+  for (const topic of ["/truth/world", "/truth/simulated", "/truth/1/sensor", "/truth/1/depth", "/truth/1/points"])
+    await live.subscribe(topic);
+  const sensor = await until_(live, "/truth/1/sensor", ({ robots }) => robots.length > 0, "a robot in the image");
+  assert.equal(sensor.state, "STATE_WATCHING");
+  assert.equal(sensor.problem, "");
+  const depth = await newest(live, "/truth/1/depth");
+  assert.equal(depth.encoding, "16UC1");
+  assert.equal(Buffer.from(depth.data, "base64").length, 640 * 480 * 2);
+  const points = await newest(live, "/truth/1/points");
+  assert.equal(points.frame_id, "field");
+  assert.ok(Buffer.from(points.data, "base64").length > 16 * 10000);
+
+  // each robot that is reported stands near a true one
+  const world = await until_(live, "/truth/world", ({ robots }) => robots.length > 0, "a robot in the truth");
+  const { robots } = await newest(live, "/truth/simulated");
+  for (const seen of world.robots)
+    assert.ok(
+      robots.some(({ x, y }) => Math.hypot(x - seen.x, y - seen.y) < 0.2),
+      JSON.stringify(seen),
+    );
+  assert.ok(BigInt(world.sent_ns) >= BigInt(world.detected_ns) && BigInt(world.detected_ns) > 0n);
+});
+
+test("a sensor is calibrated by clicks, and the calibration is used at once and after a restart", async (t) => {
+  const folder = temporaryFolder(t);
+  const exact = await Live.open(t, await watchField(t, "--source", "synthetic", "--seed", "7"));
+  await exact.subscribe("/truth/1/sensor");
+  const known = await until_(exact, "/truth/1/sensor", ({ place }) => place, "the place of the sensor");
+
+  const file = join(folder, "lab.json");
+  const server = await watchField(t, "--source", "synthetic", "--seed", "7", "--calibration", file);
+  const live = await Live.open(t, server);
+  await live.subscribe("/truth/1/sensor");
+  const blind = await until_(live, "/truth/1/sensor", ({ state }) => state === "STATE_WATCHING", "an image");
+  assert.equal(blind.place, undefined, "nobody knows where the sensor is");
+
+  const { landmarks, clicks: none, file: name } = await live.call("/truth/landmarks", { sensor: 1 });
+  assert.deepEqual(none, []);
+  assert.equal(name, "lab.json");
+  const clicks = landmarks.flatMap((landmark) => {
+    const at = pixelOf(known, landmark);
+    return at ? [{ landmark: landmark.name, ...at }] : [];
+  });
+  assert.ok(clicks.length >= 6, `${clicks.length} landmarks are in view`);
+  const poor = await live.call("/truth/calibrate", { sensor: 1, clicks: clicks.slice(0, 3), save: true });
+  assert.equal(poor.ok, true);
+  assert.match(poor.refused, /landmark/);
+  assert.equal(existsSync(file), false);
+
+  const good = await live.call("/truth/calibrate", { sensor: 1, clicks, save: true });
+  assert.equal(good.refused, "", good.refused);
+  assert.equal(good.saved, "lab.json");
+  assert.ok(good.error.p95 < 0.05);
+  for (const axis of ["x", "y", "z"]) assert.ok(Math.abs(good.place[axis] - known.place[axis]) < 0.05, axis);
+  await until_(live, "/truth/1/sensor", ({ place }) => place, "the sensor uses the calibration");
+  assert.equal(JSON.parse(readFileSync(file, "utf8")).sensors.length, 1);
+
+  const again = await Live.open(t, await watchField(t, "--source", "synthetic", "--calibration", file));
+  await again.subscribe("/truth/1/sensor");
+  const restarted = await until_(again, "/truth/1/sensor", ({ place }) => place, "the place from the file");
+  assert.ok(Math.abs(restarted.place.x - good.place.x) < 1e-4);
+  assert.equal((await again.call("/truth/landmarks", { sensor: 1 })).clicks.length, clicks.length);
+});
+
+test("two sensors report one truth", async (t) => {
+  const server = await watchField(t, "--source", "synthetic", "--source", "synthetic:2", "--rules", "spl2012:3");
+  const live = await Live.open(t, server);
+  await live.subscribe("/truth/world");
+  await until_(
+    live,
+    "/truth/world",
+    ({ robots }) => robots.some(({ sensors }) => sensors === 2),
+    "a robot that both sensors see",
+  );
+});
+
+test("the view Ground truth shows image, points and field of a sensor", async (t) => {
+  const server = await watchField(t, "--source", "synthetic", "--seed", "7");
+  const { page, problems } = await open(t, `${server.http}/#/ground-truth`, {
+    viewport: { width: 1500, height: 900 },
+  });
+  await page.getByText(/mean error|cm from the true/i).first().waitFor();
+  await shoot(page, "truth_real");
+  assert.deepEqual(problems, []);
+});
+
+test("a recording of a real Kinect is played at its times", needsData, async (t) => {
+  const source = `fakenect:${dataFile("depth/fakenect_nyu")}`;
+  const live = await Live.open(t, await watchField(t, "--source", source));
+  await live.subscribe("/truth/1/sensor");
+  const sensor = await until_(live, "/truth/1/sensor", ({ state }) => state === "STATE_ENDED", "the end");
+  assert.equal(sensor.address, source);
+  assert.equal(sensor.pinhole.width, 640);
+});
+
+for (const [options, sentence] of [
+  [["--source", "kinect"], /kinect/],
+  [["--source", "synthetic", "--source", "ssl-vision"], /must be the only source/],
+  [["--source", "synthetic", "--source", "freenect:0"], /synthetic sensors only, or none/],
+  [["--source", "fakenect:/nowhere"], /nowhere/],
+  [["--source", "synthetic", "--rules", "spl1812"], /spl1812/],
+  [["--source", "ssl-vision:10.0.0.1:10006"], /multicast/],
+])
+  test(`foresight-lab truth ${options.join(" ")} is refused in one sentence`, async (t) => {
+    const { status, stderr } = await run("foresight-lab", "truth", ...options);
+    assert.equal(status, 2);
+    assert.match(stderr, sentence);
+    assert.equal(stderr.trim().split("\n").length, 1);
+  });
