@@ -3,8 +3,8 @@
 
 #include <string>
 
-/// Velocity of a ball that rolls after kicks and rebounds, online and smoothed [m/s rms], in ten minutes of a game: noise
-/// 1 cm, 30 images a second, 5 % of them without the ball. The images around a contact do not count: it has no velocity.
+/// Velocity of a ball that rolls after kicks and rebounds, online and smoothed [m/s rms], in ten minutes of a game.
+/// The noise is 1 cm; 30 images come a second, 5 % of them without the ball. The images around a contact do not count: it has no velocity.
 /// `followed_share` are the kicks that are followed within 30 % of their velocity, by the count of images since then.
 std::string kicked_ball();
 

@@ -30,7 +30,7 @@ double log_probability(BallEvent event, double dt) {
 
 std::uint16_t remembered(std::uint16_t recent, BallEvent event) {
   constexpr unsigned mask = (1u << 2 * kRemembered) - 1;
-  return static_cast<std::uint16_t>((recent << 2 | static_cast<unsigned>(event)) & mask);
+  return static_cast<std::uint16_t>((unsigned{recent} << 2 | static_cast<unsigned>(event)) & mask);
 }
 
 }  // namespace

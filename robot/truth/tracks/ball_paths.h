@@ -12,7 +12,7 @@ namespace robot::truth {
 /// measurement shows something else.
 enum class BallEvent : std::uint8_t { rolled, kicked, not_a_ball };
 
-/// Most paths at a time. Fewer than four lose the right one when a false measurement and a kick coincide.
+/// Most paths at a time: the likely moments of a kick, and the doubt whether there was one. Each costs two predictions.
 constexpr std::size_t kMostPaths = 6;
 
 /// A small multiple-hypothesis filter. A kick is one sudden change of velocity, so that the filter follows it within two
@@ -38,7 +38,7 @@ class BallPaths {
   /// Returns the mean and covariance of all paths.
   Estimate mixture() const;
 
-  /// Returns the path's index and paths, the most likely one first.
+  /// Returns the paths, the most likely one first. Only the first count() are in use.
   const std::array<Path, kMostPaths>& paths() const { return paths_; }
   std::size_t count() const { return count_; }
 

@@ -17,8 +17,8 @@ constexpr double kIndependent = 2;       // [s] after which the error of an own 
 constexpr double kSeenRecently = 0.3;    // [s]
 
 constexpr double kBinding = 6;         // lead that binds a player
-constexpr double kMostEvidence = 100;  // after that, own poses may be wrong for 13 s
-constexpr double kLeastEvidence = -8;  // after that, 4 s of right own poses bind
+constexpr double kMostEvidence = 100;  // after that, own poses may be wrong for 30 s
+constexpr double kLeastEvidence = -8;  // after that, 6 s of right own poses bind
 constexpr double kMostAfterOcclusion = 3;
 
 /// Lets the pose count for all robots in view.

@@ -17,8 +17,8 @@ void know_players(TrackScene& scene, const OwnPoses& poses);
 
 /// Lets own poses of the scene's time count for `dt` [s], then binds players to robots and releases them.
 ///
-/// A player is bound to a robot with a lead of 6 over all others (400 : 1), and released when its evidence is gone, or
-/// another robot leads by as much.
+/// A player is bound to a robot with a lead of 6 over all others (400 : 1). It is released when its evidence is gone, or
+/// when another robot leads by as much.
 void identify(TrackScene& scene, const OwnPoses& poses, double dt);
 
 /// Binds the player at once, because its tag was read on the robot.

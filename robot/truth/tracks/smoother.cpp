@@ -13,7 +13,7 @@
 namespace robot::truth {
 namespace {
 
-constexpr std::uint64_t kPosesAhead = 150'000'000;  // [ns] own poses of so much later are known at an image
+constexpr std::uint64_t kPosesAhead = 150'000'000;  // [ns] own poses that are this much later are known at an image
 
 /// The recording while it passes: the tracker's truth of each image, and the trails of all things by their serials.
 struct Passage {
@@ -134,11 +134,13 @@ void write_ball(std::vector<FusedTruth>& truths, const Passage& passage, const T
 
 Result<void> check_all(const std::vector<Sensor>& sensors, const std::vector<SensorImage>& images,
                        const std::vector<OwnPose>& poses) {
+  if (sensors.size() > kMostSensors)
+    return Error{formatted("sensors: expected at most %zu, got %zu", kMostSensors, sensors.size())};
   for (const SensorImage& image : images)
-    if (image.sensor >= sensors.size())
-      return Error{formatted("image of sensor %zu: expected a sensor from 1 to %zu", image.sensor + 1, sensors.size())};
+    if (const Result<void> checked = check_image(image, sensors.size()); !checked) return checked.failure();
+  OwnPoses players;
   for (const OwnPose& pose : poses)
-    if (const Result<void> checked = valid(pose); !checked) return checked.failure();
+    if (const Result<void> checked = players.add(pose); !checked) return checked.failure();
   return {};
 }
 
@@ -171,6 +173,9 @@ Result<std::vector<FusedTruth>> smooth(const std::vector<Sensor>& sensors, std::
   for (const RobotTrail& trail : robots_of(passage, sensors)) write_robot(truths, passage, trail, sensors, known);
   for (const auto& [serial, trail] : passage.balls)
     if (trail.track != 0) write_ball(truths, passage, trail, sensors);
+  for (FusedTruth& truth : truths)
+    std::sort(truth.robots.begin(), truth.robots.end(),
+              [](const FusedRobot& a, const FusedRobot& b) { return a.place.track < b.place.track; });
   return truths;
 }
 

@@ -42,11 +42,7 @@ void Tracker::count_late() {
 }
 
 Result<void> Tracker::check(const SensorImage& image) {
-  if (image.sensor >= fusion_.sensors().size())
-    return Error{
-        formatted("image of sensor %zu: expected a sensor from 1 to %zu", image.sensor + 1, fusion_.sensors().size())};
-  if (image.detections.capture_ns == 0)
-    return Error{formatted("sensor %zu: an image has no capture time", image.sensor + 1)};
+  if (const Result<void> checked = check_image(image, fusion_.sensors().size()); !checked) return checked.failure();
   if (too_late(image)) {
     const double age = seconds_between(image.detections.capture_ns, scene_.now_ns);
     count_late();

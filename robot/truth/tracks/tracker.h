@@ -10,7 +10,6 @@ namespace robot::truth {
 
 /// The tracks of all robots and of the ball. Pure: no clock. Used by one thread. Memory and time per image are bounded.
 ///
-///   Tracker tracker(sensors);
 ///   if (const auto used = tracker.add({sensor, detections}); !used) report(…, used.error());
 ///   publish(tracker.truth());
 class Tracker {
@@ -31,8 +30,8 @@ class Tracker {
 
   /// Takes an image of a sensor. An image that comes late by up to kLatest counts as if it had come in time: the tracker
   /// returns to the scene before it and repeats the later images.
-  /// Returns an Error for an unknown sensor, an image without a time, a later or a repeated one. If 30 images in a row are too late, the clock was
-  /// set back, and all tracks begin anew.
+  /// Returns an Error for an unknown sensor, and for an image that has no time, is later than that, or came before.
+  /// If 30 images in a row are too late, the clock was set back, and all tracks begin anew.
   Result<void> add(const SensorImage& image);
 
   /// Takes the place where a robot believes to be. It counts for images at most 0.15 s apart that come after it.

@@ -17,15 +17,16 @@ struct Stop {
   Estimate filtered;
 };
 
-/// The differences between the smoothing of a robot and that of a ball.
+/// The rules by which a robot is smoothed. Those of a ball have the same functions.
 class RobotRules {
  public:
   explicit RobotRules(const std::vector<Sensor>& sensors) : sensors_(sensors) {}
-  SharedErrors shared(const Estimate& estimate) const { return robot_errors(sensors_, estimate.position()); }
   Estimate first(const Measurement& measurement) const {
     return first_estimate(measurement, robot_errors(sensors_, measurement.place.position), kRobotSpeed);
   }
-  Step step(const Estimate& estimate, double dt) const { return robot_step(shared(estimate), dt); }
+  Step step(const Estimate& estimate, double dt) const {
+    return robot_step(robot_errors(sensors_, estimate.position()), dt);
+  }
   Step step_to(std::size_t, const Estimate& estimate, double dt) const { return step(estimate, dt); }
   bool shows(std::size_t) const { return true; }
   double gate() const { return kGate; }

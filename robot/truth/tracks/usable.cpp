@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "robot/core/text.h"
+
 namespace robot::truth {
 namespace {
 
@@ -35,6 +37,14 @@ SeenRobot with_finite_heading(SeenRobot robot) {
 }
 
 }  // namespace
+
+Result<void> check_image(const SensorImage& image, std::size_t sensors) {
+  if (image.sensor >= sensors)
+    return Error{formatted("image of sensor %zu: expected a sensor from 1 to %zu", image.sensor + 1, sensors)};
+  if (image.detections.capture_ns == 0)
+    return Error{formatted("sensor %zu: an image has no capture time", image.sensor + 1)};
+  return {};
+}
 
 Detections usable(const Detections& detections, std::uint64_t& refused) {
   Detections result{.capture_ns = detections.capture_ns, .detected_ns = detections.detected_ns};

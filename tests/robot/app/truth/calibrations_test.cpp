@@ -9,7 +9,7 @@ namespace {
 
 truth::Calibration good() {
   truth::Calibration calibration;
-  calibration.pose.field_from_sensor.translation() = {1, -3, 2};
+  calibration.pose.field_from_sensor.translation() = Eigen::Vector3d(1, -3, 2);
   calibration.robots.mean = 0.01;
   calibration.robots.p95 = 0.02;
   return calibration;

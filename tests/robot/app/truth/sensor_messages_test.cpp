@@ -48,7 +48,7 @@ TEST(SensorMessages, ColoursAreSentOnlyWhereThereAreSome) {
 TEST(SensorMessages, ThePlaceIsTheRotationRowByRow) {
   truth::SensorPose pose;
   pose.field_from_sensor.linear() << 0, 1, 0, -1, 0, 0, 0, 0, 1;
-  pose.field_from_sensor.translation() = {1, -3, 2};
+  pose.field_from_sensor.translation() = Eigen::Vector3d(1, -3, 2);
   pose.depth_scale = 1.01;
   pb::TruthSensor::SensorPlace place;
   to_proto(pose, place);

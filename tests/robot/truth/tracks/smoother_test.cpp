@@ -137,6 +137,8 @@ TEST(Smoother, TakesInputInAnyOrderAndRepeatedImages) {
 
 TEST(Smoother, SaysWhichInputIsWrong) {
   EXPECT_EQ(smooth(kSensors, {image_of(0, {}, 1)}).error(), "image of sensor 2: expected a sensor from 1 to 1");
+  EXPECT_EQ(smooth(kSensors, {SensorImage{}}).error(), "sensor 1: an image has no capture time");
+  EXPECT_EQ(smooth(std::vector<Sensor>(5), {}).error(), "sensors: expected at most 4, got 5");
   EXPECT_FALSE(smooth(kSensors, {}, {{.capture_ns = 1, .position = {std::nan(""), 0}}}));
   EXPECT_TRUE(smooth(kSensors, {})->empty());
 }
