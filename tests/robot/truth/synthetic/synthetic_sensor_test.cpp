@@ -25,8 +25,8 @@ TEST(SyntheticSensor, AsksForTheSceneOfEachCaptureTime) {
 
 TEST(SyntheticSensor, ReturnsTheImageOfTheScene) {
   const SensorPose pose = mast(kField2012, -1, 0, kSmall);
-  const Scene scene{.robots = {{.x = 0.3}}};
-  SyntheticSensor sensor(pose, kHall, [&](std::uint64_t) -> Scene { return scene; });
+  Scene scene{.robots = {{.x = 0.3}}};
+  SyntheticSensor sensor(pose, kHall, [&](std::uint64_t) { return scene; });
   Renderer renderer(pose, kHall);
   for (std::uint64_t number = 0; number < 3; ++number) {
     const auto frame = sensor.next();
