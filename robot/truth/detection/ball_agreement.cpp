@@ -55,7 +55,7 @@ BallAgreement ball_agreement(const Sight& sight, const DepthFrame& frame, const 
   BallAgreement sum;
   for (int row = window.first_row; row < window.end_row; row += window.step)
     for (int column = window.first_column; column < window.end_column; column += window.step) {
-      const std::uint16_t depth = frame.depth[static_cast<std::size_t>(row * image.width + column)];
+      const std::uint16_t depth = frame.depth[sight.index(row, column)];
       if (depth == 0) continue;
       const float z = sight.metres(depth), deviation = sight.deviation(depth);
       const float from_empty = capped_square((z - sight.background(row, column)) / deviation);

@@ -46,7 +46,6 @@ std::optional<SeenBall> BallShapeFinder::find(const Sight& sight, const DepthFra
     const double each = match->agreement.evidence / match->agreement.pixels;
     if (each <= best) continue;
     best = each;
-
     ball = SeenBall{plane_.place(match->pixel, deviation_px(match->agreement))};
   }
   return ball;

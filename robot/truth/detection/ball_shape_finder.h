@@ -41,7 +41,9 @@ class BallShapeFinder {
     BallAgreement agreement;
   };
 
-  std::size_t tile(int row, int column) const { return static_cast<std::size_t>(row * columns_ + column); }
+  std::size_t tile(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
   void collect(const Sight& sight, const GroundGrid& grid, const std::vector<SeenRobot>& robots);
   std::optional<Candidate> candidate_at(int row, int column) const;
   int count_around(int row, int column, int reach) const;

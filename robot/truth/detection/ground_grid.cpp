@@ -33,7 +33,7 @@ void GroundGrid::visit(const Eigen::Vector2f& place, float radius, Visit&& visit
     const float half = std::sqrt(half_squared);
     const int first = std::max(static_cast<int>(std::ceil(x - half - 0.5F)), 0);
     const int last = std::min(static_cast<int>(std::floor(x + half - 0.5F)), columns_ - 1);
-    for (int column = first; column <= last; ++column) visit(static_cast<std::size_t>(row * columns_ + column));
+    for (int column = first; column <= last; ++column) visit(index(row, column));
   }
 }
 
@@ -56,9 +56,9 @@ Eigen::Vector2f GroundGrid::densest(Layer layer, float radius) const {
   float most = 0;
   for (const std::uint32_t cell : occupied_[static_cast<std::size_t>(layer)]) {
     if (cells[cell].area < kLeast) continue;
-    const auto column = static_cast<float>(static_cast<int>(cell) % columns_);
-    const auto row = static_cast<float>(static_cast<int>(cell) / columns_);
-    const Eigen::Vector2f middle((column + 0.5F - half_columns_) * kCell, (row + 0.5F - half_rows_) * kCell);
+    const int column = static_cast<int>(cell) % columns_, row = static_cast<int>(cell) / columns_;
+    const Eigen::Vector2f middle((static_cast<float>(column) + 0.5F - half_columns_) * kCell,
+                                 (static_cast<float>(row) + 0.5F - half_rows_) * kCell);
     float area = 0;
     visit(middle, radius, [&](std::size_t near) { area += cells[near].area; });
     if (area > most) most = area, best = middle;

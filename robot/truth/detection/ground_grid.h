@@ -60,7 +60,10 @@ class GroundGrid {
   std::size_t cell_of(float x, float y) const {
     const int column = std::clamp(static_cast<int>(x / kCell + half_columns_), 0, columns_ - 1);
     const int row = std::clamp(static_cast<int>(y / kCell + half_rows_), 0, rows_ - 1);
-    return static_cast<std::size_t>(row * columns_ + column);
+    return index(row, column);
+  }
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
   /// Calls visit(cell) for each cell within a radius.
   template <class Visit>

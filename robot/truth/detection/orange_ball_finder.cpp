@@ -24,7 +24,7 @@ std::optional<SeenBall> OrangeBallFinder::find(const Sight& sight, const DepthFr
     const Sight::Columns columns = sight.columns(row);
     step = std::clamp(static_cast<int>(smallest_radius(columns, row)), 1, 16);
     for (int column = columns.first; column < columns.end; column += step) {
-      if (!is_orange_(&frame.rgb[3 * static_cast<std::size_t>(row * frame.intrinsics.width + column)])) continue;
+      if (!is_orange_(&frame.rgb[3 * sight.index(row, column)])) continue;
       const auto candidate = candidate_at(sight, frame, {column + 0.5, row + 0.5});
       if (candidate && (!best || candidate->filled > best->filled)) best = candidate;
     }
@@ -46,9 +46,8 @@ std::optional<OrangeBallFinder::Candidate> OrangeBallFinder::candidate_at(const 
   const auto first = plane_.centre(pixel);
   if (!first) return std::nullopt;
   const PixelPatch patch =
-      centred_patch(frame.intrinsics, pixel, 1.5 * plane_.radius_px(*first), [&](int row, int column) {
-        return is_orange_(&frame.rgb[3 * static_cast<std::size_t>(row * frame.intrinsics.width + column)]);
-      });
+      centred_patch(frame.intrinsics, pixel, 1.5 * plane_.radius_px(*first),
+                    [&](int row, int column) { return is_orange_(&frame.rgb[3 * sight.index(row, column)]); });
   if (patch.count == 0) return std::nullopt;
   const Vector2d middle = patch.middle() - colour_shift_;
   const auto centre = plane_.centre(middle);

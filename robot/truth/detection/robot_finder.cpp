@@ -74,7 +74,8 @@ Surface densest_part(const Kind& kind, const GroundGrid& grid) {
 
 void find_kind(const Sight& sight, const Kind& kind, GroundGrid& grid, std::vector<SeenRobot>& robots) {
   constexpr float kPersonArea = 0.002F;
-  for (;;) {
+  constexpr int kMostParts = 64;  // an image of nothing but noise must not take long
+  for (int i = 0; i < kMostParts; ++i) {
     const Surface part = densest_part(kind, grid);
     if (part.area < kind.least_area) return;
     const Vector2f place = part.mean();

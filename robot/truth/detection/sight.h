@@ -39,6 +39,12 @@ class Sight {
     return static_cast<std::uint16_t>(frame.depth[pixel] - nearest_[pixel]) < count_[pixel];
   }
 
+  /// Returns the place of a pixel in the vectors of an image.
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(pose_.intrinsics.width) +
+           static_cast<std::size_t>(column);
+  }
+
   /// Returns the way [m, field] of a ray through a pixel's centre while the measured depth grows by a step.
   Eigen::Vector3f ray(int row, int column) const {
     return row_rays_[static_cast<std::size_t>(row)] + column_rays_[static_cast<std::size_t>(column)];
@@ -70,10 +76,6 @@ class Sight {
  private:
   static constexpr std::size_t kDeviationStep = 32;  // measured depths with the same deviation
 
-  std::size_t index(int row, int column) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(pose_.intrinsics.width) +
-           static_cast<std::size_t>(column);
-  }
   void make_rays(double unit);
   void set_limits();
   void set_limits(int row, int column);

@@ -63,7 +63,7 @@ class Meter {
   /// Returns a depth with an error of `noise` standard deviations, as the image has it.
   std::uint16_t measured(float z, float noise, float edge_noise) const {
     float noisy = z + static_cast<float>(DepthNoise::deviation(static_cast<double>(z))) * noise + edge_noise;
-    if (disparity_ > 0) noisy = eighths_ / std::max(1.F, static_cast<float>(static_cast<int>(eighths_ / noisy + 0.5F)));
+    if (disparity_ > 0) noisy = eighths_ / std::max(1.F, std::floor(eighths_ / noisy + 0.5F));
     return static_cast<std::uint16_t>(std::min(noisy * steps_ + 0.5F, 65535.F));
   }
 

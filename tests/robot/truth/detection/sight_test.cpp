@@ -29,7 +29,7 @@ TEST(Sight, NoticesThingsOnTheCarpetAndNotTheCarpet) {
   const DepthFrame frame = renderer.render(scene, 0);
   for (int row = 0; row < kSmall.height; ++row)
     for (int column = 0; column < kSmall.width; ++column) {
-      const auto pixel = static_cast<std::size_t>(row * kSmall.width + column);
+      const std::size_t pixel = pixel_index(kSmall, row, column);
       const double height = pose.point(column + 0.5, row + 0.5, frame.depth[pixel] * kUnit).z();
       const bool thing = renderer.cast().material[pixel] == Material::robot;
       if (thing && height <= 0.1) continue;

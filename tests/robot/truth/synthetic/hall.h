@@ -30,4 +30,9 @@ inline constexpr Intrinsics kSmall{
 inline constexpr Intrinsics kHalf{
     .width = 320, .height = 240, .focal_x = 287.9, .focal_y = 287.9, .centre_x = 160, .centre_y = 120};
 
+/// Returns the place of a pixel in the vectors of an image.
+inline std::size_t pixel_index(const Intrinsics& image, int row, int column) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column);
+}
+
 }  // namespace robot::truth

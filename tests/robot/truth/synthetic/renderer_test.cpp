@@ -44,7 +44,7 @@ TEST(Renderer, AnExactImageOfABallIsItsSphere) {
   int pixels = 0;
   for (int row = 0; row < kSmall.height; ++row)
     for (int column = 0; column < kSmall.width; ++column) {
-      const auto pixel = static_cast<std::size_t>(row * kSmall.width + column);
+      const std::size_t pixel = pixel_index(kSmall, row, column);
       if (renderer.cast().material[pixel] != Material::orange) continue;
       const Eigen::Vector3d point = pose.point(column + 0.5, row + 0.5, frame.depth[pixel] * frame.unit);
       EXPECT_NEAR((point - centre).norm(), 0.3, 0.001);
@@ -62,9 +62,10 @@ TEST(Renderer, TheFirstPixelsCentreIsAtOneHalf) {
     renderer.render(scene, 0);
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double count = 0;
-    for (std::size_t pixel = 0; pixel < renderer.cast().material.size(); ++pixel)
-      if (renderer.cast().material[pixel] == Material::orange)
-        ++count, sum += Eigen::Vector2d(static_cast<double>(pixel % 160) + 0.5, static_cast<double>(pixel / 160) + 0.5);
+    for (int row = 0; row < kSmall.height; ++row)
+      for (int column = 0; column < kSmall.width; ++column)
+        if (renderer.cast().material[pixel_index(kSmall, row, column)] == Material::orange)
+          ++count, sum += Eigen::Vector2d(column + 0.5, row + 0.5);
     EXPECT_LT((sum / count - pose.pixel({x, 0.3, 0.1})).norm(), 0.3) << x;
   }
 }

@@ -10,8 +10,7 @@ namespace {
 /// The pixel that shows a place [m, field].
 std::size_t pixel_of(const SensorPose& pose, const Eigen::Vector3d& place) {
   const Eigen::Vector2d pixel = pose.pixel(place);
-  return static_cast<std::size_t>(pixel.y()) * static_cast<std::size_t>(pose.intrinsics.width) +
-         static_cast<std::size_t>(pixel.x());
+  return pixel_index(pose.intrinsics, static_cast<int>(pixel.y()), static_cast<int>(pixel.x()));
 }
 
 /// A sensor high above a place.
@@ -22,7 +21,7 @@ TEST(Surroundings, EachPixelOfTheFloorIsAtHeightZero) {
   const Cast cast = cast_of({.field = kField2012, .goals = false, .walls = 0}, pose);
   for (int row = 0; row < kSmall.height; row += 7)
     for (int column = 0; column < kSmall.width; column += 7) {
-      const auto pixel = static_cast<std::size_t>(row * kSmall.width + column);
+      const std::size_t pixel = pixel_index(kSmall, row, column);
       if (cast.depth[pixel] == kFar) continue;
       const double depth = static_cast<double>(cast.depth[pixel]);
       EXPECT_NEAR(pose.point(column + 0.5, row + 0.5, depth).z(), 0, 1e-5);

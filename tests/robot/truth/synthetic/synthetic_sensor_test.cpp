@@ -25,7 +25,7 @@ TEST(SyntheticSensor, AsksForTheSceneOfEachCaptureTime) {
 
 TEST(SyntheticSensor, ReturnsTheImageOfTheScene) {
   const SensorPose pose = mast(kField2012, -1, 0, kSmall);
-  const Scene scene{.robots = {{.x = 0.3}}};
+  Scene scene{.robots = {{.x = 0.3}}};
   SyntheticSensor sensor(pose, kHall, [&](std::uint64_t) { return scene; });
   Renderer renderer(pose, kHall);
   for (std::uint64_t number = 0; number < 3; ++number) {
