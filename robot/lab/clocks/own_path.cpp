@@ -72,8 +72,10 @@ Result<OwnPath> by_fit(const TruthRecord& truth, const RobotRecord& robot, const
   std::string reason = "the truth has no robot";
   for (const TrueRobotPath& candidate : truth.robots) {
     const auto found = find_coarse_lag(ball_distance(truth, candidate.path, robot), range);
-    if (!found) reason = found.error();
-    if (!found) continue;
+    if (!found) {
+      reason = found.error();
+      continue;
+    }
     next_gain = std::max(next_gain, std::min(gain, found->gain));
     if (found->gain <= gain) continue;
     gain = found->gain;

@@ -20,8 +20,7 @@ struct FieldPoses {
 };
 
 /// Turns the poses so that they are closest to the path, in stretches of half a minute, and finds the lag of the closest fit.
-/// Returns no poses if fewer than fifteen seconds of them have a
-/// place.
+/// Returns no poses if fewer than fifteen of them, one a second, have a place.
 FieldPoses fit_poses(const std::vector<PoseBelief>& poses, const Path& path, const LagRange& range);
 
 /// Returns the pose that was believed last at a moment [s], or null if it is older than a tenth of a second.

@@ -53,8 +53,8 @@ double median_of(std::vector<double> values) {
 Series tidied(Series series) {
   std::erase_if(series, [](const Sample& sample) { return !std::isfinite(sample.at) || !std::isfinite(sample.value); });
   std::ranges::stable_sort(series, {}, &Sample::at);
-  const auto rest = std::ranges::unique(series, {}, &Sample::at);
-  series.erase(rest.begin(), rest.end());
+  const auto is_same = [](const Sample& a, const Sample& b) { return a.at == b.at; };
+  series.erase(std::unique(series.begin(), series.end(), is_same), series.end());
   return series;
 }
 

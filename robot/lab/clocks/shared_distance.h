@@ -9,8 +9,7 @@
 
 namespace robot::lab {
 
-/// The distance between a robot and the ball. What the robot sees is bias + slope * truth + noise; the noise grows with the
-/// distance.
+/// The distance between a robot and the ball. The robot sees bias + slope * truth + noise. The noise grows with the distance.
 struct SharedDistance {
   std::shared_ptr<const SmoothCurve> truth;  // [m]
   Series seen;                               // [m] by the robot, tidied; its clock is ahead by an unknown lag

@@ -17,8 +17,8 @@ bool is_finite(float x, float y) { return std::isfinite(x) && std::isfinite(y); 
 /// Orders the places by their times. Of several at one time the first stays.
 void order(Path& path) {
   std::ranges::stable_sort(path, {}, &PlaceAt::at);
-  const auto rest = std::ranges::unique(path, {}, &PlaceAt::at);
-  path.erase(rest.begin(), rest.end());
+  const auto is_same = [](const PlaceAt& a, const PlaceAt& b) { return a.at == b.at; };
+  path.erase(std::unique(path.begin(), path.end(), is_same), path.end());
 }
 
 /// The robots that have neither a number nor a track, joined by continuity.

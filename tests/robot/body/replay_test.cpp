@@ -231,6 +231,28 @@ TEST_F(Replaying, NamesTheError) {
             "replay: expected a session with messages, " + (folder / "empty").string() + " has none");
 }
 
+TEST_F(Replaying, ARecordingWhoseClockDriftsIsPlayedInTheTimeOfTheOther) {
+  // a clock 0.35 s ahead, which gains 10 us in 10 ms
+  const fs::path other = folder / "other";
+  auto writer = logging::SessionWriter::create(other, {.robot = "14/3", .team = 14, .player = 3});
+  const memory::ChannelInfo info = memory::Memory("14/3", ManualClock()).ball.info();
+  constexpr std::uint64_t kAhead = 350 * kMillisecond, kStep = 10'010'000;
+  for (std::uint64_t i = 0; i < 300; ++i) EXPECT_TRUE((*writer)->write(info, kStart + kAhead + i * kStep, ""));
+  ASSERT_TRUE((*writer)->close());
+  const ClockShift shift(-static_cast<std::int64_t>(kAhead), -10'000.0 / kStep, kStart + kAhead);
+  const auto replay = Replay::open({recorded, other}, {.shifts = {0, shift}});
+  ASSERT_TRUE(replay) << replay.error();
+  std::uint64_t expected_ns = kStart + 100 * 10 * kMillisecond;
+  EXPECT_EQ((*replay)->read({"/14/3/ball"}, expected_ns, UINT64_MAX,
+                            [&](const Replay::Message& message) {
+                              EXPECT_EQ(message.capture_ns, expected_ns);
+                              expected_ns += 10 * kMillisecond;
+                              return true;
+                            }),
+            0u);
+  EXPECT_EQ(expected_ns, kStart + 300 * 10 * kMillisecond);
+}
+
 TEST_F(Replaying, ARecordingWhoseClockIsOffIsPlayedInTheTimeOfTheOther) {
   // another robot saw its ball at the same times, with a clock 0.35 s ahead
   const fs::path other = folder / "other";

@@ -80,9 +80,9 @@ TEST_F(GameBesideTruth, ARecordingThatIsTooShortIsRefusedAndItsTimesStay) {
   const SessionTimes found = times({"truth", "14-2"});
   EXPECT_EQ(found.agreements[1].shift_ns, 0);
   EXPECT_FALSE(found.agreements[1].known);
-  EXPECT_TRUE(
-      found.agreements[1].sentence.starts_with("the clocks of 14/2 and the ground truth cannot be compared: no good clock "
-                                               "samples of one machine are in both, and only "))
+  EXPECT_TRUE(found.agreements[1].sentence.starts_with(
+      "the clocks of 14/2 and the ground truth cannot be compared: no good clock "
+      "samples of one machine are in both, and only "))
       << found.agreements[1].sentence;
   EXPECT_TRUE(found.agreements[1].sentence.ends_with("; their times stay unchanged"));
   const TruthReport report = truth_report(found.truth, found.robots.at(0));
