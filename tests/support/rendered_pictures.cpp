@@ -21,6 +21,10 @@ constexpr int kGrid = 8;     // [px] between exact rays
 constexpr int kSamples = 3;  // along each side of a pixel
 const Light kCarpet{0.05f, 0.22f, 0.06f}, kWhite{0.8f, 0.8f, 0.8f}, kBlack{0.03f, 0.03f, 0.03f};
 
+std::size_t index_of(int x, int y, int width) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
 class PrintedTag final : public Thing {
  public:
   PrintedTag(int id, const Eigen::Isometry3d& field_from_tag, double edge)
@@ -126,9 +130,8 @@ std::vector<Light> blurred_turned(const std::vector<Light>& from, int width, int
     for (int x = 0; x < width; ++x) {
       Light sum = Light::Zero();
       for (int i = -reach; i <= reach; ++i)
-        sum += kernel[static_cast<std::size_t>(i + reach)] *
-               from[static_cast<std::size_t>(y * width + std::clamp(x + i, 0, width - 1))];
-      to[static_cast<std::size_t>(x * height + y)] = sum;
+        sum += kernel[static_cast<std::size_t>(i + reach)] * from[index_of(std::clamp(x + i, 0, width - 1), y, width)];
+      to[index_of(y, x, height)] = sum;
     }
   return to;
 }
@@ -178,10 +181,8 @@ std::unique_ptr<Thing> cylinder(const Eigen::Vector2d& place, double radius, dou
 
 Renderer::Renderer(const Camera& camera)
     : camera_(camera), width_(camera.lens.intrinsics.width), height_(camera.lens.intrinsics.height) {
-  ways_.resize(static_cast<std::size_t>((width_ + 1) * (height_ + 1)));
-  const auto at = [this](int x, int y) -> Eigen::Vector3d& {
-    return ways_[static_cast<std::size_t>(y * (width_ + 1) + x)];
-  };
+  ways_.resize(index_of(0, height_ + 1, width_ + 1));
+  const auto at = [this](int x, int y) -> Eigen::Vector3d& { return ways_[index_of(x, y, width_ + 1)]; };
   // the lens is slow: each eighth ray is exact, and the others between them are within 0.01 px
   for (int y = 0; y <= height_; y += kGrid)
     for (int x = 0; x <= width_; x += kGrid) at(x, y) = camera.field_from_camera.linear() * camera.lens.ray({x, y});
@@ -195,9 +196,7 @@ Renderer::Renderer(const Camera& camera)
     for (int x = 0; x < width_; ++x) empty_.push_back(pixel({}, 0, x, y));
 }
 
-const Eigen::Vector3d& Renderer::way(int x, int y) const {
-  return ways_[static_cast<std::size_t>(y * (width_ + 1) + x)];
-}
+const Eigen::Vector3d& Renderer::way(int x, int y) const { return ways_[index_of(x, y, width_ + 1)]; }
 
 Light Renderer::trace(const Things& things, std::uint64_t which, const Eigen::Vector3d& way) const {
   const Eigen::Vector3d from = camera_.field_from_camera.translation();
@@ -240,7 +239,7 @@ std::vector<std::uint64_t> Renderer::things_of_pixels(const Things& things) cons
     const auto to = [&](double at, int end) { return std::min(end, static_cast<int>(at + reach) + 1); };
     for (int y = from(middle->y()); y < to(middle->y(), height_); ++y)
       for (int x = from(middle->x()); x < to(middle->x(), width_); ++x)
-        which[static_cast<std::size_t>(y * width_ + x)] |= std::uint64_t{1} << i;
+        which[index_of(x, y, width_)] |= std::uint64_t{1} << i;
   }
   return which;
 }
@@ -250,7 +249,7 @@ Picture Renderer::render(const Things& things, const Conditions& conditions) con
   const auto which = things_of_pixels(things);
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) {
-      const auto i = static_cast<std::size_t>(y * width_ + x);
+      const auto i = index_of(x, y, width_);
       if (which[i] != 0) light[i] = pixel(things, which[i], x, y);
     }
   const std::vector<float> kernel = gauss_kernel(conditions.blur);
