@@ -129,8 +129,8 @@ std::vector<Light> blurred_turned(const std::vector<Light>& from, int width, int
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       Light sum = Light::Zero();
-      for (int i = -reach; i <= reach; ++i)
-        sum += kernel[static_cast<std::size_t>(i + reach)] * from[index_of(std::clamp(x + i, 0, width - 1), y, width)];
+      int at = x - reach;
+      for (const float weight : kernel) sum += weight * from[index_of(std::clamp(at++, 0, width - 1), y, width)];
       to[index_of(y, x, height)] = sum;
     }
   return to;

@@ -18,7 +18,6 @@ using robot::truth::tags::kCornerDeviation;
 using robot::truth::tags::kShine;
 using robot::truth::tags::kShineDeviation;
 using robot::truth::tags::standing_pose;
-using robot::truth::tags::TagPose;
 using tests::camera_above;
 using tests::flat_tag;
 using tests::kDegree;
