@@ -62,12 +62,12 @@ void count_robot(Account& account, const TaggedScene& scene, const SeenRobot& se
   const Eigen::Vector2d error = robot ? Eigen::Vector2d(seen.place.position - robot->place) : Eigen::Vector2d(9, 9);
   if (error.norm() > 0.3) {
     ++account.wrong_identities;
-  } else if (robot->touched) {
-    account.touched_cm.push_back(100 * error.norm());
   } else if (robot->lies != !seen.heading) {
     ++account.wrong_postures;
   } else if (robot->lies) {
     account.lying_cm.push_back(100 * error.norm());
+  } else if (robot->touched) {
+    account.touched_cm.push_back(100 * error.norm());
   } else {
     account.position_cm.push_back(100 * error.norm());
     account.heading_deg.push_back(degrees(*seen.heading - robot->heading));

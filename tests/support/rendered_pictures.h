@@ -51,6 +51,7 @@ struct Conditions {
 /// A camera that looks at an empty field of green carpet with white lines, 1 m apart along x and 1.5 m along y.
 class Renderer {
  public:
+  /// The width and height of the picture are multiples of 8.
   explicit Renderer(const robot::truth::tags::Camera& camera);
 
   robot::truth::tags::Picture render(const Things& things, const Conditions& conditions) const;

@@ -33,7 +33,7 @@ double nearly_normal(std::mt19937& random) {
 /// Returns a place at least 0.4 m from the others.
 Eigen::Vector2d free_place(std::mt19937& random, const std::vector<Eigen::Vector2d>& others) {
   while (true) {
-    const Eigen::Vector2d place{uniform(random, -2.2, 2.2), uniform(random, -1.6, 1.6)};
+    Eigen::Vector2d place{uniform(random, -2.2, 2.2), uniform(random, -1.6, 1.6)};
     const auto near = [&](const Eigen::Vector2d& other) { return (other - place).norm() < 0.4; };
     if (std::none_of(others.begin(), others.end(), near)) return place;
   }

@@ -30,16 +30,16 @@ struct TaggedScene {
 
 inline constexpr double kSceneBallRadius = 0.0325;  // [m]
 
-/// Returns the plan of ten robots in the teams 5 and 18, with tags of 12 to 16 cm at 0.45 to 0.58 m, ahead of or beside
-/// the robot's middle and turned by quarters.
+/// Returns the plan of ten robots in the teams 5 and 18. Their tags have edges of 12 to 16 cm and are 0.45 or 0.58 m high,
+/// ahead of or beside the robot's middle and turned by quarters.
 robot::truth::tags::TagPlan plan_of_scenes();
 
 /// Returns a camera of 1280x720 px at 2.5 to 3 m height. It looks at 5 x 4 m of the field around the origin, through a
 /// wide lens with distortion.
 robot::truth::tags::Camera random_camera(std::mt19937& random);
 
-/// Returns up to six robots on 4.4 x 3.2 m, at least 0.4 m apart: they sway by 2° and 5 mm, one of 30 lies, and another
-/// robot hides a part of one of 10 tags. A robot carries a tag that the plan lacks, and a ball lies between the robots.
+/// Returns about six robots on 4.4 x 3.2 m, at least 0.4 m apart. They sway by 2° and 5 mm. One of 30 lies; an arm is near
+/// one of 10 tags and may hide a part of it. One more tag is not in the plan. A ball lies between the robots.
 TaggedScene random_scene(std::mt19937& random);
 
 /// Reports whether the middle of the ball's picture is within the picture and not hidden.

@@ -10,6 +10,7 @@
 
 namespace robot::truth::tags {
 
+/// The size and the colour of the ball.
 struct BallLook {
   double radius = 0.0325;  // [m]
   ColourRange colours;

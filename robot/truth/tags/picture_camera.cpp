@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "robot/core/report.h"
 #include "robot/truth/tags/picture_codec.h"
 
 namespace robot::truth::tags {

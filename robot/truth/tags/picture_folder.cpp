@@ -4,10 +4,10 @@
 #include <array>
 #include <charconv>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "robot/core/files.h"
+#include "robot/core/folder.h"
 #include "robot/core/text.h"
 #include "robot/truth/tags/picture_codec.h"
 
@@ -15,10 +15,13 @@ namespace robot::truth::tags {
 namespace {
 
 constexpr std::size_t kMostFileBytes = 64u << 20;
+constexpr std::size_t kMostFiles = 1'000'000;
 constexpr std::array<std::string_view, 4> kExtensions{".jpg", ".jpeg", ".png", ".ppm"};
 
-bool is_picture(const std::filesystem::path& path) {
-  return std::find(kExtensions.begin(), kExtensions.end(), path.extension().string()) != kExtensions.end();
+bool is_picture(const FolderEntry& entry) {
+  const std::string extension = std::filesystem::path(entry.name).extension().string();
+  return entry.kind == FolderEntry::Kind::file &&
+         std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
 std::optional<std::uint64_t> number_of(std::string_view digits) {
@@ -32,15 +35,6 @@ std::optional<std::uint64_t> number_of(std::string_view digits) {
 std::uint64_t shifted(std::uint64_t number, std::size_t zeros) {
   for (; zeros > 0; --zeros) number *= 10;
   return number;
-}
-
-std::vector<std::filesystem::path> pictures_of(const std::filesystem::path& folder, std::error_code& error) {
-  std::vector<std::filesystem::path> paths;
-  std::filesystem::directory_iterator entry(folder, error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error))
-    if (is_picture(entry->path())) paths.push_back(entry->path());
-  std::sort(paths.begin(), paths.end());
-  return paths;
 }
 
 }  // namespace
@@ -60,19 +54,19 @@ std::optional<std::uint64_t> time_in_name(std::string_view name) {
 }
 
 Result<std::unique_ptr<PictureSource>> PictureFolder::open(const std::filesystem::path& folder, std::string address) {
-  std::error_code error;
-  const std::vector<std::filesystem::path> paths = pictures_of(folder, error);
-  if (error) return file_error("cannot read the folder", folder, error.value());
-  if (paths.empty())
-    return Error{formatted("folder %s: expected pictures *.jpg, *.jpeg, *.png or *.ppm, got none", folder.c_str())};
-
+  const Result<std::vector<FolderEntry>> entries = list_folder(folder, kMostFiles);
+  if (!entries) return entries.failure();
   std::vector<File> files;
   bool all_timed = true;
-  for (const std::filesystem::path& path : paths) {
+  for (const FolderEntry& entry : *entries) {
+    if (!is_picture(entry)) continue;
+    const std::filesystem::path path = folder / entry.name;
     const auto capture_ns = time_in_name(path.stem().string());
     all_timed = all_timed && capture_ns.has_value();
     files.push_back({path, capture_ns.value_or(0)});
   }
+  if (files.empty())
+    return Error{formatted("folder %s: expected pictures *.jpg, *.jpeg, *.png or *.ppm, got none", folder.c_str())};
   if (!all_timed)
     for (std::size_t i = 0; i < files.size(); ++i) files[i].capture_ns = kSecond + i * kSecond / 30;
   std::sort(files.begin(), files.end(), [](const File& a, const File& b) { return a.capture_ns < b.capture_ns; });

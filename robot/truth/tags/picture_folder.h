@@ -11,7 +11,7 @@
 
 namespace robot::truth::tags {
 
-/// The files *.jpg, *.jpeg, *.png and *.ppm of a folder, sorted by name.
+/// The files *.jpg, *.jpeg, *.png and *.ppm of a folder, sorted by time or by name. Symbolic links are left out.
 ///
 /// A name may be the capture time since the epoch: "1712345678.250000.jpg" [s], or a whole number of 13, 16 or 19
 /// digits [ms, µs, ns]. If one name is none, the pictures have 30 a second, the first at 1 s after the epoch.

@@ -5,6 +5,7 @@
 #include <apriltag/tag36h10.h>
 #include <apriltag/tag36h11.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -52,8 +53,8 @@ struct TagDetector::Library {
         least_margin(options.least_margin) {
     // no corrected bit: a wrong identity is worse than a tag that is missed once
     apriltag_detector_add_family_bits(detector, family, 0);
-    detector->nthreads = options.threads;
-    detector->quad_decimate = static_cast<float>(options.shrink);
+    detector->nthreads = std::max(1, options.threads);
+    detector->quad_decimate = static_cast<float>(std::max(1.0, options.shrink));
   }
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;

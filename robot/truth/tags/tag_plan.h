@@ -38,8 +38,8 @@ struct TagPlan {
 ///    "tags": [{"id": 0, "team": 5, "player": 1, "edge": 0.14, "height": 0.56,
 ///              "forward": 0, "left": 0, "turn_deg": 90}]}
 ///
-/// "family", "forward", "left" and "turn_deg" may be absent. Returns an Error that names the first fault and its place: an
-/// unknown key, an id that is used twice or that the family lacks, a team that is not among the teams, a wrong size.
+/// "family", "forward", "left" and "turn_deg" may be absent. Returns an Error that names the first fault and its place.
+/// Faults are an unknown key, an id that is used twice or that the family lacks, a team not among the teams, a wrong size.
 Result<TagPlan> parse_tag_plan(std::string_view text);
 
 /// Reads the plan from a file of at most 1 MB.

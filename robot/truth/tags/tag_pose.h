@@ -11,8 +11,8 @@
 
 namespace robot::truth::tags {
 
-/// One standard deviation of a corner in the picture [px], along x and along y. Rendered pictures show 0.1; the lens
-/// model and the rolling shutter of a real camera add to it.
+/// One standard deviation of a corner in the picture [px], along x and along y. Rendered pictures show 0.1. A
+/// real camera adds the errors of its lens model and its rolling shutter.
 inline constexpr double kCornerDeviation = 0.2;
 
 /// The white margin shines over the black square: blur and a camera's gamma move each side inwards by this [px]. The

@@ -20,7 +20,8 @@ struct WatchOptions {
   double shrink = 1;  // as DetectorOptions::shrink
 };
 
-/// The observer of one calibrated camera. Used by one thread.
+/// The observer of one calibrated camera. Used by one thread. A picture of 1280x720 px takes about 45 ms of processor time
+/// without shrinking.
 class TagWatcher {
  public:
   /// Returns an Error without libapriltag in the build, or if the plan's family is unknown.

@@ -37,30 +37,30 @@ class ReadyVideo final : public robot::nao::VideoDevice {
 /// A camera of 48x32 px that is opened again at once.
 class PictureCameraTest : public testing::Test {
  protected:
-  FakeCamera device_{48, 32};
-  std::string frame_ = std::string(48 * 32 * 2, '\x80');  // grey
-  const SessionClock clock_{1000};
-  PictureCamera camera_{"/dev/video7", {48, 32}, std::make_unique<ReadyVideo>(device_, frame_), clock_, 1};
+  FakeCamera device{48, 32};
+  std::string frame = std::string(48 * 32 * 2, '\x80');  // grey
+  const SessionClock clock{1000};
+  PictureCamera camera{"/dev/video7", {48, 32}, std::make_unique<ReadyVideo>(device, frame), clock, 1};
 };
 
 TEST_F(PictureCameraTest, APictureOfACameraWithoutMjpeg) {
-  const auto picture = camera_.next();
+  const auto picture = camera.next();
   ASSERT_TRUE(picture) << picture.error();
   ASSERT_TRUE(*picture);
   EXPECT_EQ((*picture)->size, (robot::truth::tags::PictureSize{48, 32}));
   EXPECT_EQ((*picture)->rgb, std::vector<std::uint8_t>(48 * 32 * 3, 128));
   EXPECT_EQ((*picture)->capture_ns, 7'000'001'000u);
-  EXPECT_EQ(camera_.address(), "camera:/dev/video7");
-  EXPECT_TRUE(camera_.live());
+  EXPECT_EQ(camera.address(), "camera:/dev/video7");
+  EXPECT_TRUE(camera.live());
 }
 
 TEST_F(PictureCameraTest, APictureOfACameraWithMjpeg) {
-  device_.format = V4L2_PIX_FMT_MJPEG;
+  device.format = V4L2_PIX_FMT_MJPEG;
   Picture red = black_picture({48, 32});
   for (std::size_t i = 0; i < red.rgb.size(); i += 3) red.rgb[i] = 200;
-  frame_ = tests::jpeg_of(red, 90);
-  frame_.resize(48 * 32 * 2);  // a driver may leave zeros behind it
-  const auto picture = camera_.next();
+  frame = tests::jpeg_of(red, 90);
+  frame.resize(48 * 32 * 2);  // a driver may leave zeros behind it
+  const auto picture = camera.next();
   ASSERT_TRUE(picture) << picture.error();
   ASSERT_TRUE(*picture);
   EXPECT_NEAR((*picture)->rgb[0], 200, 4);
@@ -68,38 +68,38 @@ TEST_F(PictureCameraTest, APictureOfACameraWithMjpeg) {
 }
 
 TEST_F(PictureCameraTest, ADamagedFrameIsAnErrorAndTheNextOneFollows) {
-  device_.format = V4L2_PIX_FMT_MJPEG;
-  EXPECT_TRUE(camera_.next().error().starts_with("camera:/dev/video7: JPEG: "));
-  frame_ = tests::jpeg_of(black_picture({48, 32}), 90);
-  frame_.resize(48 * 32 * 2);
-  const auto picture = camera_.next();
+  device.format = V4L2_PIX_FMT_MJPEG;
+  EXPECT_TRUE(camera.next().error().starts_with("camera:/dev/video7: JPEG: "));
+  frame = tests::jpeg_of(black_picture({48, 32}), 90);
+  frame.resize(48 * 32 * 2);
+  const auto picture = camera.next();
   EXPECT_TRUE(picture && *picture);
-  EXPECT_EQ(device_.opened, 1);
+  EXPECT_EQ(device.opened, 1);
 }
 
 TEST_F(PictureCameraTest, AnUnpluggedCameraComesBackByItself) {
-  device_.plug(false);
-  EXPECT_EQ(camera_.next().error(), "camera /dev/video7: expected a video device, got No such file or directory");
-  EXPECT_FALSE(camera_.next());
-  device_.plug(true);
-  ASSERT_TRUE(camera_.next());
-  device_.plug(false);
-  EXPECT_EQ(camera_.next().error(), "camera /dev/video7 is gone: No such device");
-  device_.plug(true);
-  EXPECT_TRUE(camera_.next());
+  device.plug(false);
+  EXPECT_EQ(camera.next().error(), "camera /dev/video7: expected a video device, got No such file or directory");
+  EXPECT_FALSE(camera.next());
+  device.plug(true);
+  ASSERT_TRUE(camera.next());
+  device.plug(false);
+  EXPECT_EQ(camera.next().error(), "camera /dev/video7 is gone: No such device");
+  device.plug(true);
+  EXPECT_TRUE(camera.next());
 }
 
 TEST_F(PictureCameraTest, ASilentCameraIsAnErrorAndIsOpenedAgain) {
-  frame_.clear();
-  EXPECT_EQ(camera_.next().error(), "camera /dev/video7 sends no pictures");
-  EXPECT_FALSE(camera_.next());
-  EXPECT_EQ(device_.opened, 4);  // each time for MJPEG and for YUYV
+  frame.clear();
+  EXPECT_EQ(camera.next().error(), "camera /dev/video7 sends no pictures");
+  EXPECT_FALSE(camera.next());
+  EXPECT_EQ(device.opened, 4);  // each time for MJPEG and for YUYV
 }
 
 TEST_F(PictureCameraTest, ACameraOfAnotherSizeIsRefused) {
   FakeCamera small(32, 32);
-  PictureCamera camera("/dev/video7", {48, 32}, std::make_unique<ReadyVideo>(small, frame_), clock_, 1);
-  EXPECT_EQ(camera.next().error(), "camera /dev/video7: expected YUYV 48x32, got YUYV 32x32");
+  PictureCamera other("/dev/video7", {48, 32}, std::make_unique<ReadyVideo>(small, frame), clock, 1);
+  EXPECT_EQ(other.next().error(), "camera /dev/video7: expected YUYV 48x32, got YUYV 32x32");
 }
 
 }  // namespace

@@ -16,9 +16,9 @@ using robot::truth::tags::time_in_name;
 class PictureFolderTest : public testing::Test {
  protected:
   void put(std::string_view name, std::string_view bytes = "P6 1 1 255 abc") const {
-    ASSERT_TRUE(robot::replace_file(folder_ / name, bytes));
+    ASSERT_TRUE(robot::replace_file(folder / name, bytes));
   }
-  auto open() const { return open_pictures("pictures:" + folder_.path().string(), {}, clock_); }
+  auto open() const { return open_pictures("pictures:" + folder.path().string(), {}, clock); }
 
   /// Returns the times of all pictures.
   std::vector<std::uint64_t> times() const {
@@ -30,8 +30,8 @@ class PictureFolderTest : public testing::Test {
     return times;
   }
 
-  const tests::TemporaryFolder folder_;
-  const SessionClock clock_{0};
+  const tests::TemporaryFolder folder;
+  const SessionClock clock{0};
 };
 
 TEST_F(PictureFolderTest, NamesOfOtherKindsGiveThirtyPicturesASecond) {
@@ -46,7 +46,7 @@ TEST_F(PictureFolderTest, NamesMayBeTimes) {
   put("1712345678.5.ppm");
   put("1712345679.ppm.ppm");
   EXPECT_EQ(times().front(), kSecond);
-  std::filesystem::remove(folder_ / "1712345679.ppm.ppm");
+  std::filesystem::remove(folder / "1712345679.ppm.ppm");
   put("1712345678250.ppm");
   EXPECT_EQ(times(), (std::vector<std::uint64_t>{1712345678250000000, 1712345678500000000}));
 }
@@ -66,19 +66,19 @@ TEST_F(PictureFolderTest, ADamagedPictureIsNamedAndTheNextOneFollows) {
   put("2.ppm");
   const auto source = open();
   ASSERT_TRUE(source) << source.error();
-  EXPECT_EQ((*source)->next().error(), (folder_ / "1.ppm").string() + ": PPM: expected 3 bytes of pixels, got 1");
+  EXPECT_EQ((*source)->next().error(), (folder / "1.ppm").string() + ": PPM: expected 3 bytes of pixels, got 1");
   const auto second = (*source)->next();
   ASSERT_TRUE(second && *second);
   EXPECT_EQ((*second)->rgb, (std::vector<std::uint8_t>{'a', 'b', 'c'}));
   const auto end = (*source)->next();
   EXPECT_TRUE(end && !*end);
   EXPECT_FALSE((*source)->live());
-  EXPECT_EQ((*source)->address(), "pictures:" + folder_.path().string());
+  EXPECT_EQ((*source)->address(), "pictures:" + folder.path().string());
 }
 
 TEST_F(PictureFolderTest, AFolderWithoutPicturesIsRefused) {
   EXPECT_EQ(open().error(),
-            "folder " + folder_.path().string() + ": expected pictures *.jpg, *.jpeg, *.png or *.ppm, got none");
+            "folder " + folder.path().string() + ": expected pictures *.jpg, *.jpeg, *.png or *.ppm, got none");
 }
 
 TEST(PictureSource, OtherAddressesAreRefused) {

@@ -18,7 +18,6 @@ using robot::truth::tags::kCornerDeviation;
 using robot::truth::tags::kShine;
 using robot::truth::tags::kShineDeviation;
 using robot::truth::tags::standing_pose;
-using robot::truth::tags::TagPose;
 using tests::camera_above;
 using tests::flat_tag;
 using tests::kDegree;
@@ -84,7 +83,7 @@ TEST(TagPose, TheCovarianceIsThatOfTheErrors) {
   std::mt19937 random(3);
   const Camera camera = slanting_camera();
   double places = 0, headings = 0;
-  constexpr int kTrials = 200;
+  constexpr int kTrials = 100;
   for (int trial = 0; trial < kTrials; ++trial) {
     const Eigen::Vector3d sway(5 * kDegree * normal(random), 5 * kDegree * normal(random), 0);
     const auto truth = turned(flat_tag({0.7, 0.4, kHeight + 0.01 * normal(random)}, trial), sway.norm(), sway);

@@ -25,18 +25,16 @@ constexpr Mounting kHead{.edge = 0.14, .height = 0.5};
 /// A camera, a plan with one head tag of robot 5/2, and the result of the last call.
 class TaggedRobots : public testing::Test {
  protected:
-  TaggedRobots() { plan_.tags[3] = {.team = 5, .player = 2, .mounting = kHead}; }
+  TaggedRobots() { plan.tags[3] = {.team = 5, .player = 2, .mounting = kHead}; }
 
   SeenTag tag(int id, const Eigen::Isometry3d& pose, double edge = kHead.edge) const {
-    return {.id = id, .margin = 60, .corners = *corners_in_picture(camera_, pose, edge)};
+    return {.id = id, .margin = 60, .corners = *corners_in_picture(camera, pose, edge)};
   }
-  std::vector<SeenRobot> robots(const std::vector<SeenTag>& tags) {
-    return tagged_robots(camera_, plan_, tags, refused_);
-  }
+  std::vector<SeenRobot> robots(const std::vector<SeenTag>& tags) { return tagged_robots(camera, plan, tags, refused); }
 
-  Camera camera_ = tests::camera_above({-1.5, 0, 2.8}, {0, 0}, {1280, 720}, 700);
-  TagPlan plan_;
-  RefusedTags refused_;
+  Camera camera = tests::camera_above({-1.5, 0, 2.8}, {0, 0}, {1280, 720}, 700);
+  TagPlan plan;
+  RefusedTags refused;
 };
 
 TEST_F(TaggedRobots, AStandingRobotHasPlaceHeadingHeightAndIdentity) {
@@ -51,7 +49,7 @@ TEST_F(TaggedRobots, AStandingRobotHasPlaceHeadingHeightAndIdentity) {
 }
 
 TEST_F(TaggedRobots, TheMountingIsTakenOff) {
-  plan_.tags[3].mounting = {.edge = 0.14, .height = 0.5, .forward = 0.1, .left = 0.05, .turn = 90 * kDegree};
+  plan.tags[3].mounting = {.edge = 0.14, .height = 0.5, .forward = 0.1, .left = 0.05, .turn = 90 * kDegree};
   // a robot at (0.5, 0.2) that looks to +y: ahead is +y, left is -x
   const auto seen = robots({tag(3, flat_tag({0.45, 0.3, 0.5}, 180 * kDegree))});
   ASSERT_EQ(seen.size(), 1u);
@@ -84,22 +82,22 @@ TEST_F(TaggedRobots, ALyingRobotIsLowAndHasNoHeading) {
 
 TEST_F(TaggedRobots, UnknownIdsAreIgnoredAndCounted) {
   EXPECT_TRUE(robots({tag(4, flat_tag({0.5, 0.2, 0.5}, 1)), tag(5, flat_tag({0, 0, 0.5}, 1))}).empty());
-  EXPECT_EQ(refused_.unknown, 2u);
+  EXPECT_EQ(refused.unknown, 2u);
 }
 
 TEST_F(TaggedRobots, AnIdThatIsThereTwiceGivesNoRobot) {
   EXPECT_TRUE(robots({tag(3, flat_tag({0.5, 0.2, 0.5}, 1)), tag(3, flat_tag({0, 0, 0.5}, 1))}).empty());
-  EXPECT_EQ(refused_.repeated, 2u);
+  EXPECT_EQ(refused.repeated, 2u);
 }
 
 TEST_F(TaggedRobots, ACarriedRobotIsRefusedAndCounted) {
   EXPECT_TRUE(robots({tag(3, flat_tag({0.5, 0.2, 1.1}, 1))}).empty());
-  EXPECT_EQ(refused_.implausible, 1u);
+  EXPECT_EQ(refused.implausible, 1u);
 }
 
 TEST_F(TaggedRobots, ATagOfAnotherSizeThanPlannedIsRefusedAndCounted) {
   EXPECT_TRUE(robots({tag(3, flat_tag({0.5, 0.2, 0.5}, 1), 0.12)}).empty());
-  EXPECT_EQ(refused_.implausible, 1u);
+  EXPECT_EQ(refused.implausible, 1u);
 }
 
 TEST_F(TaggedRobots, AHiddenCornerGivesNothingRatherThanSomethingWrong) {
@@ -109,12 +107,12 @@ TEST_F(TaggedRobots, AHiddenCornerGivesNothingRatherThanSomethingWrong) {
     hidden.corners[corner] += 0.25 * (middle - hidden.corners[corner]);
     EXPECT_TRUE(robots({hidden}).empty()) << corner;
   }
-  EXPECT_EQ(refused_.implausible, 4u);
+  EXPECT_EQ(refused.implausible, 4u);
 }
 
 TEST_F(TaggedRobots, TwoTagsOfARobotGiveOneMoreExactRobot) {
-  plan_.tags[3].mounting.left = 0.1;
-  plan_.tags[8] = {.team = 5, .player = 2, .mounting = {.edge = 0.14, .height = 0.5, .left = -0.1}};
+  plan.tags[3].mounting.left = 0.1;
+  plan.tags[8] = {.team = 5, .player = 2, .mounting = {.edge = 0.14, .height = 0.5, .left = -0.1}};
   const SeenTag left = tag(3, flat_tag({0.5, 0.3, 0.5}, 0)), right = tag(8, flat_tag({0.5, 0.1, 0.5}, 0));
   const auto one = robots({left}), both = robots({left, right});
   ASSERT_EQ(both.size(), 1u);
@@ -124,9 +122,9 @@ TEST_F(TaggedRobots, TwoTagsOfARobotGiveOneMoreExactRobot) {
 }
 
 TEST_F(TaggedRobots, TwoTagsOfARobotAtDifferentPlacesGiveNone) {
-  plan_.tags[8] = plan_.tags[3];
+  plan.tags[8] = plan.tags[3];
   EXPECT_TRUE(robots({tag(3, flat_tag({0.5, 0.3, 0.5}, 0)), tag(8, flat_tag({0.5, -0.3, 0.5}, 0))}).empty());
-  EXPECT_EQ(refused_.contradictory, 2u);
+  EXPECT_EQ(refused.contradictory, 2u);
 }
 
 }  // namespace
