@@ -17,8 +17,8 @@ namespace robot::app {
 /// Converts a fused truth, whose time of sending is `sent_ns`. Clears and fills `message`.
 void to_proto(const truth::FusedTruth& truth, std::uint64_t sent_ns, foresight::GroundTruth& message);
 
-/// The tracks of all sensors. A sensor's thread brings its detections, and the truth is written as soon as each sensor that
-/// watches has brought an image since it was written last, or one of them has brought two. Any thread.
+/// The tracks of all sensors. Each sensor's thread brings its detections. The truth is written as soon as each sensor that
+/// watches has brought an image since the last writing, or one of them has brought two. Any thread.
 class TruthWriter {
  public:
   /// `clock` and `world` outlive this.

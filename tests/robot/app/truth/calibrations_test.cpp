@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/support/temporary_folder.h"
 
 namespace robot::app {
@@ -26,7 +28,7 @@ TEST(Calibrations, ASavedOneIsFoundAgainAlsoByANewProcess) {
   ASSERT_TRUE(saved) << saved.error();
   const auto again = Calibrations::open(folder.path() / "lab.json", "spl2012");
   ASSERT_TRUE(again) << again.error();
-  for (const Calibrations* one : {&*calibrations, &*again}) {
+  for (const Calibrations* one : {&std::as_const(*calibrations), &*again}) {
     const auto found = one->find("freenect:0", {});
     ASSERT_TRUE(found && *found);
     EXPECT_NEAR((*found)->pose.field_from_sensor.translation().y(), -3, 1e-9);

@@ -7,7 +7,7 @@
 namespace robot::app {
 namespace {
 
-constexpr std::uint64_t kBeginNs = 5'000'000'000;
+constexpr std::uint64_t kFirstNs = 5'000'000'000;
 
 /// The image of a sensor that sees one robot.
 truth::Detections seen_at(double x, std::uint64_t capture_ns) {
@@ -28,7 +28,7 @@ class Truth : public testing::Test {
   }
   std::uint64_t written() const { return world.read() ? world.read()->sequence() : 0; }
 
-  ManualClock clock{kBeginNs + 100};
+  ManualClock clock{kFirstNs + 100};
   memory::MemoryObject<foresight::GroundTruth> world;
 };
 
@@ -36,7 +36,7 @@ TEST_F(Truth, OneSensorIsWrittenWithEachImage) {
   TruthWriter writer(1, clock, world);
   calibrate(writer, 0);
   for (std::uint64_t image = 0; image < 10; ++image) {
-    const std::uint64_t capture_ns = kBeginNs + image * kSecond / 30;
+    const std::uint64_t capture_ns = kFirstNs + image * kSecond / 30;
     writer.add(0, seen_at(1, capture_ns));
     EXPECT_EQ(written(), image + 1);
     EXPECT_EQ(world.read()->capture_ns(), capture_ns);
@@ -58,8 +58,8 @@ TEST_F(Truth, TwoSensorsAreWrittenTogether) {
   calibrate(writer, 0);
   calibrate(writer, 1);
   const auto both = [&](std::uint64_t image) {
-    writer.add(0, seen_at(1, kBeginNs + image * kSecond / 30));
-    writer.add(1, seen_at(1, kBeginNs + image * kSecond / 30 + 5'000'000));
+    writer.add(0, seen_at(1, kFirstNs + image * kSecond / 30));
+    writer.add(1, seen_at(1, kFirstNs + image * kSecond / 30 + 5'000'000));
   };
   both(0);  // the first image of the first sensor is written alone: the second one has not begun
   const std::uint64_t begun = written();
@@ -72,12 +72,12 @@ TEST_F(Truth, NobodyWaitsForALostSensor) {
   TruthWriter writer(2, clock, world);
   calibrate(writer, 0);
   calibrate(writer, 1);
-  writer.add(0, seen_at(1, kBeginNs));
-  writer.add(1, seen_at(1, kBeginNs + 1));
+  writer.add(0, seen_at(1, kFirstNs));
+  writer.add(1, seen_at(1, kFirstNs + 1));
   writer.lost(1);
   const std::uint64_t before = written();
   for (std::uint64_t image = 1; image < 4; ++image) {
-    writer.add(0, seen_at(1, kBeginNs + image * kSecond / 30));
+    writer.add(0, seen_at(1, kFirstNs + image * kSecond / 30));
     EXPECT_EQ(written(), before + image);
   }
 }
@@ -86,16 +86,16 @@ TEST_F(Truth, ASlowSensorDelaysTheOtherByOneImageAtMost) {
   TruthWriter writer(2, clock, world);
   calibrate(writer, 0);
   calibrate(writer, 1);
-  writer.add(0, seen_at(1, kBeginNs));
-  writer.add(1, seen_at(1, kBeginNs + 1));
+  writer.add(0, seen_at(1, kFirstNs));
+  writer.add(1, seen_at(1, kFirstNs + 1));
   const std::uint64_t before = written();
-  for (std::uint64_t image = 1; image < 5; ++image) writer.add(0, seen_at(1, kBeginNs + image * kSecond / 30));
+  for (std::uint64_t image = 1; image < 5; ++image) writer.add(0, seen_at(1, kFirstNs + image * kSecond / 30));
   EXPECT_GE(written(), before + 3);
 }
 
 TEST_F(Truth, AnUncalibratedSensorIsNotUsed) {
   TruthWriter writer(1, clock, world);
-  writer.add(0, seen_at(1, kBeginNs));
+  writer.add(0, seen_at(1, kFirstNs));
   EXPECT_EQ(written(), 0u);
 }
 
@@ -103,7 +103,7 @@ TEST_F(Truth, AnOwnPoseNamesARobot) {
   TruthWriter writer(1, clock, world);
   calibrate(writer, 0);
   for (std::uint64_t image = 0; image < 150; ++image) {
-    const std::uint64_t capture_ns = kBeginNs + image * kSecond / 30;
+    const std::uint64_t capture_ns = kFirstNs + image * kSecond / 30;
     writer.identify({.capture_ns = capture_ns, .team = 14, .player = 3, .position = {1, 0.5}});
     writer.add(0, seen_at(1, capture_ns));
   }
