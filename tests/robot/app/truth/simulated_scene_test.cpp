@@ -40,7 +40,7 @@ TEST(SimulatedScene, TheRefereeWalksBesideTheFieldWithoutALeap) {
   sim::World world = world_of_two();
   double last = scene_of(world, 0.05, 6).people.at(0).x;
   for (world.tick = 1; world.tick < 1000; ++world.tick) {
-    const truth::ScenePerson& person = scene_of(world, 0.05, 6).people.at(0);
+    const truth::ScenePerson person = scene_of(world, 0.05, 6).people.at(0);
     EXPECT_GT(person.y, 3);
     EXPECT_LE(std::abs(person.x), 2.001);
     EXPECT_LT(std::abs(person.x - last), 0.03);
