@@ -90,6 +90,7 @@ void FrameCounter::take_payload(std::string_view& bytes) {
 }
 
 bool Watch::wants(std::string_view topic) const {
+  if (std::find(topics.begin(), topics.end(), topic) != topics.end()) return true;
   const bool camera =
       topic.find("/camera_top") != std::string_view::npos || topic.find("/camera_bottom") != std::string_view::npos;
   if (topic.ends_with("/jpeg")) return jpeg;
@@ -110,8 +111,10 @@ Result<Watch> parse_watch(std::string_view text) {
       watch.images = true;
     else if (word == "jpeg")
       watch.jpeg = true;
+    else if (word.starts_with('/'))
+      watch.topics.emplace_back(word);
     else if (word != "nothing")
-      return Error{"--watch: expected objects, images, jpeg or nothing, got '" + std::string(word) + "'"};
+      return Error{"--watch: expected objects, images, jpeg, topics or nothing, got '" + std::string(word) + "'"};
     begin = end + 1;
   }
   return watch;

@@ -62,11 +62,12 @@ struct Watch {
   bool objects = true;  // all memory objects except images
   bool images = false;  // camera_top, camera_bottom unchanged
   bool jpeg = false;    // camera_top/jpeg, camera_bottom/jpeg
+  std::vector<std::string> topics;  // further ones by name
 
   bool wants(std::string_view topic) const;
 };
 
-/// Reads "objects,images,jpeg" or a part of it; "nothing" watches no channel.
+/// Reads "objects,images,jpeg" or a part of it, and topics such as "/truth/world"; "nothing" watches no channel.
 robot::Result<Watch> parse_watch(std::string_view text);
 
 class CountingClient {

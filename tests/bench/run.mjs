@@ -21,6 +21,7 @@ import { soak } from "./soak.mjs";
 import { soccer } from "./soccer.mjs";
 import { streaming } from "./streaming.mjs";
 import { thesis } from "./thesis.mjs";
+import { truth } from "./truth.mjs";
 import { verdicts } from "./verdicts.mjs";
 import { viewer } from "./viewer.mjs";
 import { vivid } from "./vivid.mjs";
@@ -51,6 +52,7 @@ const benches = {
   foresight,
   debugger: debuggerTimes,
   mcap,
+  truth,
 };
 
 const [name, ...words] = process.argv.slice(2);

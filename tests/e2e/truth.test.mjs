@@ -117,7 +117,10 @@ test("the view Ground truth shows image, points and field of a sensor", async (t
   const { page, problems } = await open(t, `${server.http}/#/ground-truth`, {
     viewport: { width: 1500, height: 900 },
   });
-  await page.getByText(/mean error|cm from the true/i).first().waitFor();
+  await page
+    .getByText(/mean error|cm from the true/i)
+    .first()
+    .waitFor();
   await shoot(page, "truth_real");
   assert.deepEqual(problems, []);
 });
