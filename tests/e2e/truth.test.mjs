@@ -1,11 +1,13 @@
 // foresight-lab truth: synthetic sensors watch a simulated game, over the network and in the view Ground truth.
 import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { createSocket } from "node:dgram";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { open, shoot } from "./browser.mjs";
 import { Live } from "./live.mjs";
-import { dataFile, needsData, run, start, temporaryFolder, until } from "./support.mjs";
+import { atEnd, dataFile, needsData, root, run, start, temporaryFolder, until } from "./support.mjs";
 
 const watchField = (t, ...options) => start(t, temporaryFolder(t), "foresight-lab", "truth", ...options);
 
@@ -148,3 +150,68 @@ for (const [options, sentence] of [
     assert.match(stderr, sentence);
     assert.equal(stderr.trim().split("\n").length, 1);
   });
+
+test("a process of a lab's own reports the truth through the door", async (t) => {
+  const door = join(temporaryFolder(t), "door");
+  const live = await Live.open(t, await watchField(t, "--source", "door", "--door", door));
+  const example = join(root, "robot/client/examples/truth.py");
+  const teller = spawn("python3", [example], {
+    env: { ...process.env, FORESIGHT_DOOR: door, PYTHONPATH: join(root, "robot/client") },
+    stdio: "ignore",
+  });
+  atEnd(t, () => teller.kill());
+  await live.subscribe("/truth/world");
+  const { ball, robots } = await newest(live, "/truth/world");
+  assert.ok(Math.hypot(ball.x, ball.y) > 0.1, "a ball on a circle");
+  assert.equal(robots.length, 2);
+});
+
+/** One field of a protobuf message: a varint, a double, a float or a message. */
+const varint = (field, value) => Buffer.from([field << 3, value]);
+const double = (field, value) =>
+  Buffer.concat([Buffer.from([(field << 3) | 1]), Buffer.from(Float64Array.of(value).buffer)]);
+const float = (field, value) =>
+  Buffer.concat([Buffer.from([(field << 3) | 5]), Buffer.from(Float32Array.of(value).buffer)]);
+const message = (field, ...fields) => {
+  const bytes = Buffer.concat(fields);
+  return Buffer.concat([Buffer.from([(field << 3) | 2, bytes.length]), bytes]);
+};
+
+test("packets of SSL-Vision become the truth", async (t) => {
+  const address = "239.5.23.77";
+  const port = 20000 + (process.pid % 20000);
+  const live = await Live.open(t, await watchField(t, "--source", `ssl-vision:${address}:${port}`, "--yellow", "18"));
+  await live.subscribe("/truth/world");
+  const socket = createSocket("udp4");
+  atEnd(t, () => socket.close());
+  let frame = 0;
+  const packet = () => {
+    const seconds = 100 + ++frame / 60;
+    const ball = message(5, float(1, 0.9), float(3, 1250), float(4, -500), float(6, 1), float(7, 1));
+    const robot = message(
+      6,
+      float(1, 1),
+      varint(2, 3),
+      float(3, -1000),
+      float(4, 250),
+      float(5, 0.5),
+      float(6, 1),
+      float(7, 1),
+    );
+    return message(
+      1,
+      varint(1, frame % 120),
+      double(2, seconds),
+      double(3, seconds + 0.002),
+      varint(4, 0),
+      ball,
+      robot,
+    );
+  };
+  const sending = setInterval(() => socket.send(packet(), port, address), 16);
+  atEnd(t, () => clearInterval(sending));
+  const { ball, robots } = await newest(live, "/truth/world");
+  assert.ok(Math.abs(ball.x - 1.25) < 1e-6 && Math.abs(ball.y + 0.5) < 1e-6);
+  assert.deepEqual([robots[0].team, robots[0].player], [18, 3]);
+  assert.ok(Math.abs(robots[0].heading - 0.5) < 1e-6);
+});
