@@ -27,7 +27,7 @@
 //   camera top        NaoCameras  writes images and camera matrices (nao)                      30 Hz
 //   camera bottom     NaoCameras  the same
 //   relay             RobotLink  carries one robot's channels into memory (foresight-lab relay) each message
-//   truth <number>    DepthWatch  reads a depth sensor, finds robots and ball (foresight-lab truth)  30 Hz
+//   truth <number>    SensorWatch  reads a depth sensor, finds robots and ball (foresight-lab truth)  30 Hz
 //   truth feed        FeedWatch   receives SSL-Vision (foresight-lab truth)                      each packet
 //   agent             AgentThread  decides with our behaviour (--behaviour)                    30 Hz
 //   simulation        SimBody   plays the game and writes all robots' memories (sim)           30 Hz x speed

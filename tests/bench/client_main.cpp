@@ -184,7 +184,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Viewers that count what they get; a report in JSON at the end, also when stopped by SIGTERM"};
   bench::Options options;
   app.add_option("--url", options.url, "of the server, with ?delivery=lossless where all is wanted");
-  app.add_option("--watch", options.watch, "objects, images, jpeg, topics such as /truth/world, several with commas, or nothing");
+  app.add_option("--watch", options.watch,
+                 "objects, images, jpeg, topics such as /truth/world, several with commas, or nothing");
   app.add_option("--set", options.parameters, "name=value: a parameter to set first");
   app.add_option("--clients", options.clients, "so many of them");
   app.add_option("--seconds", options.seconds, "how long");

@@ -59,9 +59,9 @@ struct TopicCount {
 
 /// Channels of a server that a client watches.
 struct Watch {
-  bool objects = true;  // all memory objects except images
-  bool images = false;  // camera_top, camera_bottom unchanged
-  bool jpeg = false;    // camera_top/jpeg, camera_bottom/jpeg
+  bool objects = true;              // all memory objects except images
+  bool images = false;              // camera_top, camera_bottom unchanged
+  bool jpeg = false;                // camera_top/jpeg, camera_bottom/jpeg
   std::vector<std::string> topics;  // further ones by name
 
   bool wants(std::string_view topic) const;

@@ -2,6 +2,7 @@
 #include "robot/app/lab/commands.h"
 #include "robot/app/truth/watch_truth.h"
 #include "robot/truth/sensor/open_source.h"
+#include "robot/truth/tags/tag_watcher.h"
 
 namespace robot::app {
 namespace {
@@ -15,12 +16,13 @@ class TruthCommand final : public Command {
         "sources:\n  synthetic    a depth camera that looks at a simulated game; synthetic:2 is on the other side\n"
         "  ssl-vision   packets of SSL-Vision; or ssl-vision:GROUP:PORT\n"
         "  door         a process of your own, such as robot/client/examples/truth.py\n" +
-        truth::describe_sources());
+        truth::describe_sources() + truth::tags::describe_cameras());
     options()
         .add_option("--source", truth_.sources, "a sensor or a recording, see below; once for each sensor")
         ->required();
     options().add_option("--calibration", truth_.calibration,
                          "file with the places of the sensors; the viewer's view Ground truth makes and improves it");
+    options().add_option("--tags", truth_.tags, "file with the printed tags on the robots, for ordinary cameras");
     options()
         .add_option("--rules", truth_.rules, "rules, which give the field: spl2012, spl2025:5, …")
         ->capture_default_str();

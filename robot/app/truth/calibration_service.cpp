@@ -11,10 +11,10 @@ namespace robot::app {
 namespace {
 
 using nlohmann::json;
-using Watches = std::vector<std::unique_ptr<DepthWatch>>;
+using Watches = std::vector<std::unique_ptr<SensorWatch>>;
 
 /// Returns the watch of the sensor that a request names, or an Error.
-Result<DepthWatch*> watch_of(const json& request, const Watches& watches) {
+Result<SensorWatch*> watch_of(const json& request, const Watches& watches) {
   const auto named = request.find("sensor");
   const auto number = named == request.end() ? std::nullopt : whole_number(*named);
   if (number && *number >= 1 && *number <= static_cast<std::int64_t>(watches.size()))
@@ -49,8 +49,9 @@ Result<json> calibrate_answer(const json& request, const std::vector<truth::Land
   const auto frame = (*watch)->newest();
   if (!frame) return Error{(*watch)->address() + " has not sent an image yet"};
 
-  const Result<truth::Calibration> calibration =
-      truth::calibrate(landmarks, *clicks, *frame, {.ball_radius = ball_radius});
+  const Result<truth::Calibration> calibration = truth::calibrate(
+      landmarks, *clicks, *frame,
+      {.ball_radius = ball_radius, .focal_free = frame->depth.empty(), .k1_free = frame->depth.empty()});
   json answer = truth::to_json(calibration);
   answer["saved"] = "";
   if (wish == request.end() || !wish->get<bool>() || !calibration || !calibration->refused.empty()) return answer;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "robot/app/truth/calibrations.h"
-#include "robot/app/truth/depth_watch.h"
+#include "robot/app/truth/sensor_watch.h"
 #include "robot/net/foxglove/services.h"
 
 namespace robot::app {
@@ -29,6 +29,6 @@ struct CalibratedField {
 /// with the members of robot/truth/calibration/calibration_json.h. The newest image gives the carpet. With "save", a good
 /// calibration is written to the file, whose name is "saved", and the sensor uses it at once. A refused one is not saved.
 void add_calibration_services(net::Services& services, const CalibratedField& on,
-                              const std::vector<std::unique_ptr<DepthWatch>>& watches, Calibrations& calibrations);
+                              const std::vector<std::unique_ptr<SensorWatch>>& watches, Calibrations& calibrations);
 
 }  // namespace robot::app

@@ -4,11 +4,14 @@
 #include <limits>
 #include <utility>
 
+#include "robot/app/truth/finder.h"
+#include "robot/app/truth/picture_sensor.h"
 #include "robot/app/truth/simulated_scene.h"
 #include "robot/bridge/to_messages.h"
 #include "robot/truth/sensor/open_source.h"
 #include "robot/truth/synthetic/sensor_poses.h"
 #include "robot/truth/synthetic/synthetic_sensor.h"
+#include "robot/truth/tags/picture_source.h"
 #include "sim/io/rules.h"
 
 namespace robot::app {
@@ -100,9 +103,15 @@ Result<void> OpenedSources::open_synthetic() {
 }
 
 Result<void> OpenedSources::open_recordings_and_sensors() {
+  if (!options_.tags.empty()) {
+    auto plan = truth::tags::read_tag_plan(options_.tags);
+    if (!plan) return plan.failure("--tags");
+    tags_ = std::move(*plan);
+  }
+  opening_clock_ = std::make_unique<SessionClock>();
   std::uint64_t first_ns = std::numeric_limits<std::uint64_t>::max();
   for (const std::string& address : addresses_) {
-    auto source = truth::open_source(address);
+    auto source = open_one(address);
     if (!source) return source.failure();
     if (!sources_.empty() && sources_.front().source->live() != (*source)->live())
       return Error{"expected live sensors only, or recordings only, got " + addresses_.front() + " and " + address};
@@ -114,8 +123,16 @@ Result<void> OpenedSources::open_recordings_and_sensors() {
     sources_.push_back({.source = std::move(*source), .placed = {}});
   }
   const bool recorded = first_ns != std::numeric_limits<std::uint64_t>::max();
-  clock_ = recorded ? std::make_unique<SessionClock>(first_ns - monotonic_ns()) : std::make_unique<SessionClock>();
+  clock_ = recorded ? std::make_unique<SessionClock>(first_ns - monotonic_ns())
+                    : std::make_unique<SessionClock>(opening_clock_->epoch_offset_ns());
   return {};
+}
+
+Result<std::unique_ptr<truth::DepthSource>> OpenedSources::open_one(const std::string& address) const {
+  if (!truth::tags::is_picture_address(address)) return truth::open_source(address);
+  if (!tags_) return Error{address + ": expected --tags FILE, the plan of the printed tags"};
+  if (options_.calibration.empty()) return Error{address + ": expected --calibration FILE, where the camera stands"};
+  return open_picture_sensor(address, *opening_clock_);
 }
 
 void OpenedSources::show_game_in(memory::MemoryObject<foresight::GroundTruth>& simulated) {
@@ -127,15 +144,18 @@ void OpenedSources::show_game_in(memory::MemoryObject<foresight::GroundTruth>& s
   });
 }
 
-std::vector<std::unique_ptr<DepthWatch>> OpenedSources::watches(const Calibrations& calibrations, TruthWriter& writer) {
-  std::vector<std::unique_ptr<DepthWatch>> watches;
+std::vector<std::unique_ptr<SensorWatch>> OpenedSources::watches(const Calibrations& calibrations,
+                                                                 TruthWriter& writer) {
+  truth::DetectorOptions detection{.ball_radius = ball_radius_, .orange_ball = options_.orange_ball};
+  if (game_) detection.colour_shift_x = 1;  // the colours of a synthetic sensor are shifted by a pixel
+  std::vector<std::unique_ptr<SensorWatch>> watches;
   for (Opened& opened : sources_) {
+    const bool by_tags = truth::tags::is_picture_address(opened.source->address());
     const bool paced = game_ != nullptr || !opened.source->live();
-    watches.push_back(std::make_unique<DepthWatch>(
-        DepthWatchOptions{.index = watches.size(),
-                          .field = rules_.field,
-                          .detection = {.ball_radius = ball_radius_, .orange_ball = options_.orange_ball},
-                          .paced = paced},
+    watches.push_back(std::make_unique<SensorWatch>(
+        SensorWatchOptions{.index = watches.size(),
+                           .finder = by_tags ? tag_finder(*tags_, ball_radius_) : depth_finder(rules_.field, detection),
+                           .paced = paced},
         std::move(opened.source), *clock_, calibrations, writer));
     if (opened.placed) watches.back()->place(*opened.placed);
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/app/truth/depth_watch.h"
+#include "robot/app/truth/sensor_watch.h"
 #include "robot/app/truth/watch_truth.h"
 #include "robot/app/truth/watched_game.h"
 #include "sim/field/rules.h"
@@ -29,7 +29,7 @@ class OpenedSources {
   void show_game_in(memory::MemoryObject<foresight::GroundTruth>& simulated);
 
   /// Hands each source to a watch of its own. Called once. All arguments and this outlive the watches.
-  std::vector<std::unique_ptr<DepthWatch>> watches(const Calibrations& calibrations, TruthWriter& writer);
+  std::vector<std::unique_ptr<SensorWatch>> watches(const Calibrations& calibrations, TruthWriter& writer);
 
  private:
   struct Opened {
@@ -41,12 +41,15 @@ class OpenedSources {
 
   Result<void> open_recordings_and_sensors();
   Result<void> open_synthetic();
+  Result<std::unique_ptr<truth::DepthSource>> open_one(const std::string& address) const;
 
   TruthOptions options_;
   std::vector<std::string> addresses_;
   sim::field::Rules rules_;
   double ball_radius_;
+  std::unique_ptr<SessionClock> opening_clock_;  // of cameras; recordings have one of their own
   std::unique_ptr<SessionClock> clock_;
+  std::optional<truth::tags::TagPlan> tags_;
   std::unique_ptr<WatchedGame> game_;  // null without a synthetic sensor
   std::vector<Opened> sources_;
 };

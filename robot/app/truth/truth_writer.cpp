@@ -59,8 +59,14 @@ void TruthWriter::add(std::size_t sensor, const truth::Detections& detections) {
   const std::lock_guard guard(lock_);
   if (!eyes_[sensor].calibrated) return;
   if (eyes_[sensor].turn == Turn::brought) write();  // the other sensors are slower
+  const std::uint64_t refused = tracker_.refused().detections;
   if (const Result<void> added = tracker_.add({.sensor = sensor, .detections = detections}); !added)
     complaints_.report(Level::warning, "truth", added.error());
+  if (const std::uint64_t more = tracker_.refused().detections - refused; more > 0)
+    complaints_.report(
+        Level::warning, "truth",
+        "sensor " + std::to_string(sensor + 1) + ": " + std::to_string(more) +
+            " places of an image are not used: a number of them is not finite, or their error is impossible");
   eyes_[sensor].turn = Turn::brought;
   if (std::none_of(eyes_.begin(), eyes_.end(), [](const Eye& eye) { return eye.turn == Turn::awaited; })) write();
 }

@@ -122,7 +122,7 @@ Result<void> watch_truth(const TruthOptions& options) {
   for (memory::Channel* object : std::initializer_list<memory::Channel*>{&field->world, &field->simulated})
     if (Result<void> listed = runtime.channels().add({field, object}); !listed) return listed;
 
-  const std::vector<std::unique_ptr<DepthWatch>> watches = sources->watches(*calibrations, writer);
+  const std::vector<std::unique_ptr<SensorWatch>> watches = sources->watches(*calibrations, writer);
   for (const auto& watch : watches)
     if (Result<void> listed = watch->list(runtime.channels()); !listed) return listed;
   add_calibration_services(runtime.services(), {.field = sources->field(), .ball_radius = sources->ball_radius()},

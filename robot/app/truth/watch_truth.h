@@ -14,9 +14,11 @@ namespace robot::app {
 
 /// The options of foresight-lab truth.
 struct TruthOptions {
-  /// Addresses of robot/truth/sensor/open_source.h, or "synthetic", "synthetic:2". Or one of another system alone:
+  /// Addresses of robot/truth/sensor/open_source.h, or "synthetic", "synthetic:2", "camera:/dev/video0",
+  /// "pictures:FOLDER". Or one of another system alone:
   /// "ssl-vision", "ssl-vision:GROUP:PORT", or "door" for a process of a lab's own.
   std::vector<std::string> sources;
+  std::filesystem::path tags;         // the plan of the printed tags, for "camera:…" and "pictures:…"
   std::filesystem::path calibration;  // the file with the places of the sensors; empty: none, and none is saved
   std::string rules = "spl2012";      // the field
   double ball_radius = 0;             // [m] 0: that of the rules, or of the models

@@ -31,10 +31,10 @@ Result<Detections> TagWatcher::look(const Picture& picture) {
 
 std::string describe_cameras() {
   std::string text =
-      "camera:/dev/videoN    a colour camera (Video4Linux, MJPEG or YUYV)\n"
-      "pictures:FOLDER       JPEG, PNG and PPM pictures, by name\n";
-  text += sees_tags() ? "printed tags of the family " + family_names()
-                      : "printed tags are not in this build: libapriltag-dev was not installed";
+      "  camera:DEVICE    a colour camera of the kernel (MJPEG or YUYV), with --tags\n"
+      "  pictures:FOLDER  pictures by name: *.jpg, *.png, *.ppm, with --tags\n";
+  text += sees_tags() ? "  printed tags of the family " + family_names() + "\n"
+                      : "  printed tags are not in this build: libapriltag-dev was not installed\n";
   return text;
 }
 

@@ -38,6 +38,16 @@ TEST(Usable, RefusesCovariancesThatAreNone) {
   }
 }
 
+TEST(Usable, ACovarianceThatIsAsymmetricByRoundingBecomesSymmetric) {
+  Detections detections = image_of(0, {{1, 1}}).detections;
+  detections.robots[0].place.covariance << 1e-6, 3.0000001e-7, 3e-7, 2e-6;
+  std::uint64_t refused = 0;
+  const Detections used = usable(detections, refused);
+  ASSERT_EQ(used.robots.size(), 1u);
+  EXPECT_EQ(used.robots[0].place.covariance(0, 1), used.robots[0].place.covariance(1, 0));
+  EXPECT_EQ(refused, 0u);
+}
+
 TEST(Usable, LimitsTheCountOfRobots) {
   std::uint64_t refused = 0;
   const std::vector<Eigen::Vector2d> many(100, Eigen::Vector2d(1, 1));

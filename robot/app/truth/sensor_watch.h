@@ -1,4 +1,4 @@
-// One depth sensor: its thread reads images, finds robots and ball, and shows both.
+// One sensor: its thread reads images, finds robots and ball, and shows both.
 #pragma once
 
 #include <atomic>
@@ -12,6 +12,7 @@
 #include "proto/foresight/truth.pb.h"
 #include "proto/foxglove/RawImage.pb.h"
 #include "robot/app/truth/calibrations.h"
+#include "robot/app/truth/finder.h"
 #include "robot/app/truth/pulse.h"
 #include "robot/app/truth/truth_writer.h"
 #include "robot/core/clock.h"
@@ -19,9 +20,7 @@
 #include "robot/core/result.h"
 #include "robot/memory/channels.h"
 #include "robot/memory/memory_object.h"
-#include "robot/truth/detection/detector.h"
 #include "robot/truth/frame/depth_source.h"
-#include "sim/field/field.h"
 
 namespace robot::app {
 
@@ -33,20 +32,19 @@ struct SensorObjects {
   memory::MemoryObject<::foxglove::RawImage> depth, color;
 };
 
-struct DepthWatchOptions {
+struct SensorWatchOptions {
   std::size_t index = 0;  // of the sensor; its number on the wire is one more
-  sim::field::Field field;
-  truth::DetectorOptions detection;
+  Finder finder;
   bool paced = false;  // the images come as fast as they are asked for, and are shown at their capture times
 };
 
-/// The thread of one depth sensor.
-class DepthWatch {
+/// The thread of one sensor. An ordinary camera is one whose images have no depths.
+class SensorWatch {
  public:
   /// `clock`, `writer` and `calibrations` outlive this.
-  DepthWatch(DepthWatchOptions options, std::unique_ptr<truth::DepthSource> source, const Clock& clock,
-             const Calibrations& calibrations, TruthWriter& writer);
-  ~DepthWatch();
+  SensorWatch(SensorWatchOptions options, std::unique_ptr<truth::DepthSource> source, const Clock& clock,
+              const Calibrations& calibrations, TruthWriter& writer);
+  ~SensorWatch();
 
   /// Adds the sensor's objects to `channels`, which then keeps them alive.
   Result<void> list(memory::Channels& channels) const;
@@ -74,7 +72,7 @@ class DepthWatch {
   void show(const truth::DepthFrame& frame);
   void tell(foresight::TruthSensor::State state, std::uint64_t capture_ns);
 
-  const DepthWatchOptions options_;
+  const SensorWatchOptions options_;
   const std::string name_;  // "sensor 1"
   const std::unique_ptr<truth::DepthSource> source_;
   const Clock& clock_;
@@ -83,12 +81,12 @@ class DepthWatch {
   const std::shared_ptr<SensorObjects> objects_;
 
   // used by the sensor's thread only
-  std::optional<truth::Detector> detector_;
+  Find find_;  // empty: not calibrated
   std::optional<PlacedSensor> placed_;
   std::optional<truth::Intrinsics> pinhole_;  // of the newest image
   truth::Detections seen_;                    // in it
   std::string problem_;
-  std::string refusal_;  // the reason why there is no detector; empty: it has none, because nobody has calibrated it
+  std::string refusal_;  // the reason why find_ is empty; empty: nobody has calibrated the sensor
   bool asked_ = false;   // for a saved calibration
   Pulse pulse_;
 

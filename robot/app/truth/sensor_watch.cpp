@@ -1,4 +1,4 @@
-#include "robot/app/truth/depth_watch.h"
+#include "robot/app/truth/sensor_watch.h"
 
 #include <mutex>
 #include <utility>
@@ -24,8 +24,8 @@ SensorObjects::SensorObjects(std::size_t index, const Clock& clock) {
   color.announce(topic_of(index, "color"), memory::Delivery::latest, clock);
 }
 
-DepthWatch::DepthWatch(DepthWatchOptions options, std::unique_ptr<truth::DepthSource> source, const Clock& clock,
-                       const Calibrations& calibrations, TruthWriter& writer)
+SensorWatch::SensorWatch(SensorWatchOptions options, std::unique_ptr<truth::DepthSource> source, const Clock& clock,
+                         const Calibrations& calibrations, TruthWriter& writer)
     : options_(std::move(options)),
       name_("sensor " + number_of(options_.index)),
       source_(std::move(source)),
@@ -34,20 +34,20 @@ DepthWatch::DepthWatch(DepthWatchOptions options, std::unique_ptr<truth::DepthSo
       writer_(writer),
       objects_(std::make_shared<SensorObjects>(options_.index, clock)) {}
 
-DepthWatch::~DepthWatch() { stop(); }
+SensorWatch::~SensorWatch() { stop(); }
 
-Result<void> DepthWatch::list(memory::Channels& channels) const {
+Result<void> SensorWatch::list(memory::Channels& channels) const {
   for (memory::Channel* object :
        std::initializer_list<memory::Channel*>{&objects_->sensor, &objects_->depth, &objects_->color})
     if (Result<void> listed = channels.add({objects_, object}); !listed) return listed;
   return {};
 }
 
-Result<void> DepthWatch::start() {
+Result<void> SensorWatch::start() {
   return start_thread(thread_, name_, [this] { run(); });
 }
 
-void DepthWatch::stop() {
+void SensorWatch::stop() {
   {
     const std::lock_guard guard(lock_);
     stopping_ = true;
@@ -56,24 +56,24 @@ void DepthWatch::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-std::shared_ptr<const truth::DepthFrame> DepthWatch::newest() const {
+std::shared_ptr<const truth::DepthFrame> SensorWatch::newest() const {
   const std::lock_guard guard(lock_);
   return newest_;
 }
 
-void DepthWatch::place(const PlacedSensor& placed) {
+void SensorWatch::place(const PlacedSensor& placed) {
   const std::lock_guard guard(lock_);
   wanted_ = placed;
 }
 
-void DepthWatch::run() {
+void SensorWatch::run() {
   become_background_thread("truth " + number_of(options_.index));
   tell(State::TruthSensor_State_STATE_WAITING, clock_.now_ns());
   while (!stopping_ && read_one()) {
   }
 }
 
-bool DepthWatch::read_one() {
+bool SensorWatch::read_one() {
   Result<std::optional<truth::DepthFrame>> frame = source_->next();
   if (!frame) {
     lose(frame.error());
@@ -88,21 +88,21 @@ bool DepthWatch::read_one() {
   return true;
 }
 
-void DepthWatch::lose(const std::string& problem) {
+void SensorWatch::lose(const std::string& problem) {
   if (problem != problem_) report(Level::warning, name_, problem);
   problem_ = problem;
   writer_.lost(options_.index);
   tell(State::TruthSensor_State_STATE_WAITING, clock_.now_ns());
 }
 
-void DepthWatch::look(const std::shared_ptr<const truth::DepthFrame>& frame) {
+void SensorWatch::look(const std::shared_ptr<const truth::DepthFrame>& frame) {
   if (options_.paced && !wait_until(frame->capture_ns)) return;
   const std::uint64_t begun_ns = thread_cpu_ns();
   problem_.clear();
   take_place(*frame);
   seen_ = {};
-  if (detector_) {
-    if (auto seen = detector_->detect(*frame)) {
+  if (find_) {
+    if (auto seen = find_(*frame)) {
       seen_ = std::move(*seen);
       seen_.detected_ns = clock_.now_ns();
     } else {
@@ -110,20 +110,20 @@ void DepthWatch::look(const std::shared_ptr<const truth::DepthFrame>& frame) {
     }
   }
   pulse_.add(monotonic_ns(), thread_cpu_ns() - begun_ns);
-  if (detector_ && problem_.empty()) writer_.add(options_.index, seen_);
+  if (find_ && problem_.empty()) writer_.add(options_.index, seen_);
   show(*frame);
   const std::lock_guard guard(lock_);
   newest_ = frame;
 }
 
-bool DepthWatch::wait_until(std::uint64_t capture_ns) {
+bool SensorWatch::wait_until(std::uint64_t capture_ns) {
   const std::lock_guard guard(lock_);
   for (std::uint64_t now_ns = clock_.now_ns(); now_ns < capture_ns && !stopping_; now_ns = clock_.now_ns())
     changed_.wait_until(lock_, monotonic_ns() + (capture_ns - now_ns));
   return !stopping_;
 }
 
-void DepthWatch::take_place(const truth::DepthFrame& frame) {
+void SensorWatch::take_place(const truth::DepthFrame& frame) {
   std::optional<PlacedSensor> wanted;
   {
     const std::lock_guard guard(lock_);
@@ -143,34 +143,36 @@ void DepthWatch::take_place(const truth::DepthFrame& frame) {
     }
   }
   if (wanted) use(*wanted);
-  if (!detector_) problem_ = refusal_;
+  if (!find_) problem_ = refusal_;
 }
 
-void DepthWatch::use(const PlacedSensor& placed) {
-  auto detector = truth::Detector::create(placed.pose, options_.field, options_.detection);
-  if (!detector) {
-    refusal_ = detector.error();
+void SensorWatch::use(const PlacedSensor& placed) {
+  auto find = options_.finder.at(placed);
+  if (!find) {
+    refusal_ = find.error();
     report(Level::error, name_, refusal_);
     return;
   }
   refusal_.clear();
-  detector_.emplace(std::move(*detector));
+  find_ = std::move(*find);
   placed_ = placed;
-  writer_.place(options_.index, {.pose = placed.pose});
+  writer_.place(options_.index, {.pose = placed.pose, .robots = options_.finder.robots});
 }
 
-void DepthWatch::show(const truth::DepthFrame& frame) {
+void SensorWatch::show(const truth::DepthFrame& frame) {
   pinhole_ = frame.intrinsics;
   const std::string frame_id = "truth " + number_of(options_.index);
-  auto depth = objects_->depth.draft();
-  to_proto(frame, frame_id, *depth);
-  objects_->depth.write(std::move(depth), frame.capture_ns);
+  if (!frame.depth.empty()) {
+    auto depth = objects_->depth.draft();
+    to_proto(frame, frame_id, *depth);
+    objects_->depth.write(std::move(depth), frame.capture_ns);
+  }
   auto color = objects_->color.draft();
   if (colour_to_proto(frame, frame_id, *color)) objects_->color.write(std::move(color), frame.capture_ns);
   tell(State::TruthSensor_State_STATE_WATCHING, frame.capture_ns);
 }
 
-void DepthWatch::tell(State state, std::uint64_t capture_ns) {
+void SensorWatch::tell(State state, std::uint64_t capture_ns) {
   auto message = objects_->sensor.draft();
   message->set_state(state);
   message->set_address(source_->address());

@@ -1,0 +1,34 @@
+// The ways to find robots and ball in an image of a calibrated sensor.
+#pragma once
+
+#include <functional>
+
+#include "robot/app/truth/calibrations.h"
+#include "robot/core/result.h"
+#include "robot/truth/detection/detector_options.h"
+#include "robot/truth/frame/depth_frame.h"
+#include "robot/truth/frame/detections.h"
+#include "robot/truth/tags/tag_plan.h"
+#include "robot/truth/tracks/sensor.h"
+#include "sim/field/field.h"
+
+namespace robot::app {
+
+/// Finds robots and ball in an image. Returns an Error for an image of another size than the calibration. One thread.
+using Find = std::function<Result<truth::Detections>(const truth::DepthFrame&)>;
+
+/// A kind of sensor.
+struct Finder {
+  /// Returns the function for a sensor at this place. Returns an Error for a place that cannot be used.
+  std::function<Result<Find>(const PlacedSensor&)> at;
+  truth::Ranging robots = truth::Ranging::depth;  // the way in which it measures the places of robots
+};
+
+/// Returns the finder of a depth camera.
+Finder depth_finder(const sim::field::Field& field, const truth::DetectorOptions& options);
+
+/// Returns the finder of an ordinary camera, whose images have colours and no depths: robots by their printed tags, the ball
+/// by its colour.
+Finder tag_finder(const truth::tags::TagPlan& plan, double ball_radius);
+
+}  // namespace robot::app
