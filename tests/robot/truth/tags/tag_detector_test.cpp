@@ -22,7 +22,7 @@ TEST(TagDetector, ABuildWithoutTheLibrarySaysSo) {
 
 TEST(TagDetector, HelpNamesTheSourcesAndFamilies) {
   const std::string help = robot::truth::tags::describe_cameras();
-  EXPECT_NE(help.find("camera:/dev/videoN"), std::string::npos);
+  EXPECT_NE(help.find("camera:DEVICE"), std::string::npos);
   EXPECT_NE(help.find("pictures:FOLDER"), std::string::npos);
   EXPECT_EQ(help.find("tag36h11") != std::string::npos, sees_tags());
 }
