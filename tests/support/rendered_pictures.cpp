@@ -116,8 +116,10 @@ Light carpet_light(double x, double y) {
   };
   if (near_line(x, 1.0) || near_line(y, 1.5)) return kWhite;
   // tufts of 1 cm, brighter and darker
-  const auto tuft = static_cast<std::uint32_t>(std::floor(x * 100) * 73856093.0) ^
-                    static_cast<std::uint32_t>(std::floor(y * 100) * 19349663.0 + 1e9);
+  const auto cell = [](double at) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(at * 100)));
+  };
+  const std::uint32_t tuft = cell(x) * 73856093u ^ cell(y) * 19349663u;
   return kCarpet * (0.8f + 0.4f * static_cast<float>(tuft * 2654435761u >> 24) / 255);
 }
 

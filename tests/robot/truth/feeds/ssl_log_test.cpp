@@ -74,7 +74,8 @@ TEST(SslLog, DamageIsNamedWithItsPlace) {
 
 TEST(SslLog, EveryTruncationKeepsTheMessagesBeforeIt) {
   for (std::size_t size = tests::kSslLogHead.size(); size < kLog.size(); ++size) {
-    const LogRead log = read_log(kLog.substr(0, size));
+    const std::string begin = kLog.substr(0, size);  // the messages point into it
+    const LogRead log = read_log(begin);
     EXPECT_LT(log.messages.size(), 7u);
     EXPECT_TRUE(log.messages.empty() || log.messages[0].bytes == "vision");
   }
