@@ -12,6 +12,9 @@ namespace {
 
 using State = foresight::TruthSensor::State;
 
+/// Age of a live image that is too old to be of use: the machine is too slow for all images. The tracks refuse older ones.
+constexpr std::uint64_t kLatestNs = 150 * kMillisecond;
+
 std::string number_of(std::size_t index) { return std::to_string(index + 1); }
 
 std::string topic_of(std::size_t index, const char* object) { return "/truth/" + number_of(index) + "/" + object; }
@@ -97,6 +100,7 @@ void SensorWatch::lose(const std::string& problem) {
 
 void SensorWatch::look(const std::shared_ptr<const truth::DepthFrame>& frame) {
   if (options_.paced && !wait_until(frame->capture_ns)) return;
+  if (source_->live() && frame->capture_ns + kLatestNs < clock_.now_ns()) return;
   const std::uint64_t begun_ns = thread_cpu_ns();
   problem_.clear();
   take_place(*frame);
