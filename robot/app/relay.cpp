@@ -118,8 +118,8 @@ Result<void> relay(const RelayOptions& options) {
                    .team = name.team,
                    .player = name.player,
                    .server = options.server,
-                   .log_folder = absolute_path(options.log_folder),
-                   .log_bytes = options.log_mb * 1'000'000,
+                   .log_folder = absolute_path(options.recording.log_folder),
+                   .log_bytes = options.recording.log_bytes(),
                    .recent = logging::kRecentPastOfTeams,
                    .foxglove_file = foxglove_file,
                    .add_statistics =
@@ -131,10 +131,11 @@ Result<void> relay(const RelayOptions& options) {
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
   add_reasons_service(runtime.services(), runtime.channels(), {});
   add_futures_service(runtime.services(), runtime.channels(), {});
-  if (const Result<void> usable = logging::check_session_name(options.name); !usable) return usable.failure("--name");
+  if (const Result<void> usable = logging::check_session_name(options.recording.name); !usable)
+    return usable.failure("--name");
   if (Result<void> started = runtime.start(); !started) return started;
-  if (options.record)
-    if (Result<void> recording = runtime.record(options.name, profile_for(options.pictures)); !recording)
+  if (options.recording.record)
+    if (Result<void> recording = runtime.record(options.recording.name, profile_for(options.pictures)); !recording)
       return recording;
   // the rules of the first robot that reports some are those of the recording and the page
   const auto know_rules = [&runtime](const std::string& rules) { runtime.know_rules(rules); };

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/app/recording_settings.h"
 #include "robot/app/server_settings.h"
 #include "robot/core/result.h"
 #include "robot/lab/relay/robot_link.h"
@@ -19,10 +20,7 @@ struct RelayOptions {
   lab::Pictures pictures = lab::Pictures::jpeg;
   bool lossless = false;
   double max_clock_offset = 60;  // [s] greatest accepted offset of a robot's clock from ours
-  bool record = false;           // from the start on
-  std::string name;              // of the recorded session
-  std::filesystem::path log_folder = "logs";
-  std::uint64_t log_mb = 50'000;
+  RecordingSettings recording;
   ServerSettings server;
 };
 

@@ -99,15 +99,11 @@ void add_game_options(CLI::App& app, RobotOptions& options) {
   app.add_option("--field", options.field, "name of the field, such as A; part of the sessions' names")->group(group);
 }
 
-void add_recording_options(CLI::App& app, RobotOptions& options) {
-  app.add_option("--log-dir", options.log_folder, "folder of recorded sessions")->capture_default_str();
-  app.add_option("--log-mb", options.log_mb, "[MB] limit of all sessions together; the oldest are deleted first")
-      ->capture_default_str();
+void add_profile_options(CLI::App& app, RobotOptions& options) {
+  add_recording_options(app, options.recording);
   app.add_option("--profile", options.profile, "profile of recordings: game, vision or full")->capture_default_str();
   app.add_option("--only", options.only,
                  "objects that recordings contain, such as ball,pose,decision; default: all objects");
-  app.add_option("--name", options.name, "name of the session that --record begins");
-  app.add_flag("--record", options.record, "record from the start");
   app.add_flag("--plan", options.plan, "print the size of each profile and whether it fits, then end");
 }
 
@@ -118,7 +114,7 @@ void add_options(CLI::App& app, RobotOptions& options) {
   add_simulation_options(app, options);
   add_foresight_options(app, options);
   add_game_options(app, options);
-  add_recording_options(app, options);
+  add_profile_options(app, options);
   add_server_options(app, options.server);
 }
 
@@ -151,8 +147,8 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
                          .player = robot.player,
                          .rules = rules_of(options),
                          .server = options.server,
-                         .log_folder = options.log_folder,
-                         .log_bytes = options.log_mb * 1'000'000};
+                         .log_folder = options.recording.log_folder,
+                         .log_bytes = options.recording.log_bytes()};
   // a replay is looked at in its recording
   if (options.body != "replay")
     runtime.recent = options.body == "sim" ? logging::kRecentPastOfTeams : logging::RecentPastLimits{};
@@ -173,14 +169,15 @@ RuntimeOptions runtime_options(const RobotOptions& options, RobotName robot) {
 
 Result<bool> begin(Runtime& runtime, const RobotOptions& options) {
   if (const auto profile = logging::profile_named(options.profile); !profile) return profile.failure("--profile");
-  if (const auto usable = logging::check_session_name(options.name); !usable) return usable.failure("--name");
+  if (const auto usable = logging::check_session_name(options.recording.name); !usable) return usable.failure("--name");
   if (const auto known = runtime.record_only(options.only); !known) return known.failure("--only");
   for (const logging::Profile& profile : logging::profiles())
     std::printf("%s\n", runtime.recorder().room_for(profile).sentence.c_str());
   if (options.plan) return false;
   if (Result<void> started = runtime.start(); !started) return started.failure();
-  if (options.record)
-    if (Result<void> recording = runtime.record(options.name, options.profile); !recording) return recording.failure();
+  if (options.recording.record)
+    if (Result<void> recording = runtime.record(options.recording.name, options.profile); !recording)
+      return recording.failure();
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "robot/app/recording_settings.h"
 #include "robot/app/robot_name.h"
 #include "robot/app/runtime.h"
 #include "robot/app/server_settings.h"
@@ -49,11 +50,10 @@ struct RobotOptions {
   std::string field;
 
   // recording
-  std::filesystem::path log_folder = "logs";
-  std::uint64_t log_mb = 4000;
-  std::string profile = "game", name;
+  RecordingSettings recording{.log_mb = 4000};
+  std::string profile = "game";
   std::string only;  // objects to record, "ball,pose"; empty: all
-  bool record = false, plan = false;
+  bool plan = false;
 
   ServerSettings server;
 };

@@ -27,12 +27,7 @@ class RelayCommand final : public Command {
     options().add_flag("--lossless", relay_.lossless,
                        "receive every message or lose the connection; default: a slow connection gets the newest");
     add_clock_option(options(), relay_.max_clock_offset);
-    options().add_flag("--record", relay_.record, "record from the start");
-    options().add_option("--name", relay_.name, "name of the session that --record begins");
-    options().add_option("--log-dir", relay_.log_folder, "folder of recorded sessions")->capture_default_str();
-    options()
-        .add_option("--log-mb", relay_.log_mb, "[MB] limit of all sessions together; the oldest are deleted first")
-        ->capture_default_str();
+    add_recording_options(options(), relay_.recording);
     add_server_options(options(), relay_.server);
   }
 

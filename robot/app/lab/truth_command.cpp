@@ -38,13 +38,9 @@ class TruthCommand final : public Command {
     options().add_option("--blue", truth_.teams.blue, "team of SSL-Vision's blue robots")->capture_default_str();
     options().add_option("--interface", truth_.interface, "network interface of SSL-Vision's packets; default: all");
     options().add_option("--door", truth_.door, "socket of --source door; default: that of a robot's door");
-    options().add_flag("--record", truth_.record, "record from the start, without images");
-    options().add_flag("--record-images", truth_.record_images, "record images too: 18 MB a second and sensor");
-    options().add_option("--name", truth_.name, "name of the session that --record begins");
-    options().add_option("--log-dir", truth_.log_folder, "folder of recorded sessions")->capture_default_str();
-    options()
-        .add_option("--log-mb", truth_.log_mb, "[MB] limit of all sessions together; the oldest are deleted first")
-        ->capture_default_str();
+    options().add_flag("--record-images", truth_.record_images,
+                       "recordings contain images too: 18 MB a second and sensor");
+    add_recording_options(options(), truth_.recording);
     add_server_options(options(), truth_.server);
   }
 

@@ -79,8 +79,8 @@ RuntimeOptions runtime_options(const TruthOptions& options) {
           .robot = "truth",
           .rules = options.rules,
           .server = options.server,
-          .log_folder = absolute_path(options.log_folder),
-          .log_bytes = options.log_mb * 1'000'000,
+          .log_folder = absolute_path(options.recording.log_folder),
+          .log_bytes = options.recording.log_bytes(),
           .recent = logging::kRecentPastOfTeams,
           .foxglove_file = foxglove_file};
 }
@@ -105,7 +105,8 @@ Result<void> watch_truth(const TruthOptions& options) {
   if (!kinds) return kinds.failure();
   auto sources = OpenedSources::open(options, kinds->sensors);
   if (!sources) return sources.failure();
-  if (const Result<void> usable = logging::check_session_name(options.name); !usable) return usable.failure("--name");
+  if (const Result<void> usable = logging::check_session_name(options.recording.name); !usable)
+    return usable.failure("--name");
   auto calibrations =
       Calibrations::open(options.calibration, options.rules.substr(0, options.rules.find_first_of(":,")));
   if (!calibrations) return calibrations.failure("--calibration");
@@ -143,8 +144,8 @@ Result<void> watch_truth(const TruthOptions& options) {
   if (Result<void> started = runtime.start(); !started) return started;
   const std::string objects = recorded_objects(runtime.channels(), options.record_images);
   if (Result<void> chosen = runtime.record_only(objects); !chosen) return chosen;
-  if (options.record)
-    if (Result<void> recording = runtime.record(options.name, "full"); !recording) return recording;
+  if (options.recording.record)
+    if (Result<void> recording = runtime.record(options.recording.name, "full"); !recording) return recording;
   for (const auto& watch : watches)
     if (Result<void> started = watch->start(); !started) return started;
   if (feed)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/app/recording_settings.h"
 #include "robot/app/server_settings.h"
 #include "robot/core/result.h"
 #include "robot/truth/feeds/ssl_packet.h"
@@ -32,11 +33,8 @@ struct TruthOptions {
   std::string interface;       // on which SSL-Vision's packets come, such as "eth0"; empty: all
   std::filesystem::path door;  // socket of the door; empty: body::default_door()
 
-  bool record = false;         // from the start on
+  RecordingSettings recording;
   bool record_images = false;  // depth images and colours too: 18 MB a second and sensor, or more
-  std::string name;            // of the recorded session
-  std::filesystem::path log_folder = "logs";
-  std::uint64_t log_mb = 50'000;
   ServerSettings server;
 };
 
