@@ -1,5 +1,5 @@
 // Games of the simulator, each as one line of foresight-sim match --lines.
-import { start } from "./programs.mjs";
+import { cases } from "./programs.mjs";
 
 const kOptions = {
   rules: "--rules",
@@ -18,9 +18,9 @@ export const words = (choice) => [
 ];
 
 /** The games with the seeds first .. first + count - 1, in this order, on `jobs` processors. */
-export async function play(choice, count, { jobs, first = 1 }) {
+export function play(choice, count, { jobs, first = 1 }) {
   const args = ["match", "--lines", "--games", count, "--seed", first, "--threads", jobs, ...words(choice)];
-  return (await start("foresight-sim", args).output).split("\n").map((line) => JSON.parse(line));
+  return cases("foresight-sim", args);
 }
 
 /** A series that grows on demand. */

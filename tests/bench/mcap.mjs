@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { Live } from "../e2e/live.mjs";
 import { difference } from "../e2e/mcap.mjs";
 import { require } from "../e2e/support.mjs";
-import { scratch, start } from "./programs.mjs";
+import { cases, scratch, start } from "./programs.mjs";
 import { median, Report } from "./report.mjs";
 
 const WebSocket = require("ws");
@@ -23,9 +23,7 @@ async function compare(report, count) {
     const size = Math.min(kBatch, count - first);
     mkdirSync(folder);
     await start("mcap_files", ["write", folder, first, size]).output;
-    const rows = (await start("mcap_files", ["read", folder, first, size]).output)
-      .split("\n")
-      .map((line) => JSON.parse(line));
+    const rows = await cases("mcap_files", ["read", folder, first, size]);
     for (const [i, row] of rows.entries()) {
       const found = difference(row, readFileSync(join(folder, `${first + i}.mcap`)));
       if (found) differences.push(`seed ${first + i}: ${found} (${row.features})`);

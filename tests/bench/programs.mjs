@@ -65,6 +65,10 @@ export function start(name, args, before = [], preset = "release") {
   return { pid: child.pid, firstLine, address, output, report, stop: () => child.kill("SIGTERM") };
 }
 
+/** Runs a program of ours that prints lines of JSON; returns them. */
+export const cases = async (name, args = []) =>
+  (await start(name, args).output).split("\n").map((line) => JSON.parse(line));
+
 let sessions = 0;
 
 /** A robot under load: `args` of bench_runtime beside address and folders. `address` and `before` are of a network. */

@@ -1,21 +1,14 @@
 // How exact, how fast and how steady is ground truth? Beside the bars of the sensors, and the thesis's table 2.
-import { command, scratch, sleep, start, startClients } from "./programs.mjs";
+import { cases, scratch, sleep, start, startClients } from "./programs.mjs";
 import { join } from "node:path";
-import { fileURLToPath } from "node:url";
 import { Report } from "./report.mjs";
 
-const kPrograms = fileURLToPath(new URL("../../build/release/bin/", import.meta.url));
 const kThesis = { 1: 9, 5: "9 to 11", 10: "9 to 11" }; // frames a second at its clients, table 2
 
-/** Runs a program that prints a line of JSON for each case. */
-const cases = (program, ...args) =>
-  command(join(kPrograms, program), ...args.map(String))
-    .trim()
-    .split("\n")
-    .map((line) => JSON.parse(line));
-
-function tellFrames(report, frames) {
-  for (const { case: name, median_ms, p95_ms, robots, lying_robots, ball } of cases("bench_truth", "frames", frames)) {
+async function tellFrames(report, frames) {
+  for (const { case: name, median_ms, p95_ms, robots, lying_robots, ball } of await cases("bench_truth_frames", [
+    frames,
+  ])) {
     const coloured = !name.includes("depth only"); // a ball without a colour of its own is found where it can be
     const exact = !name.includes("error");
     report.figure(`${name}: a frame, median`, median_ms, "ms", { atMost: 1.2 });
@@ -30,20 +23,20 @@ function tellFrames(report, frames) {
   }
 }
 
-function tellCalibration(report, trials) {
-  const all = cases("bench_truth_calibration", trials);
-  const { robots, ball, refused } = all.find(({ click_px, scale }) => click_px === 1 && scale === 1.01);
-  report.figure("clicks of 1 px, depths off by 1 %: places by depth, mean error", robots.mean_cm, "cm", { atMost: 1 });
-  report.figure("clicks of 1 px, depths off by 1 %: p95", robots.p95_cm, "cm", { atMost: 2.2 });
-  report.figure("clicks of 1 px, depths off by 1 %: the ball's, p95", ball.p95_cm, "cm", { atMost: 2.2 });
-  report.figure("clicks of 1 px, depths off by 1 %: 95 % ellipse covers", 100 * robots.coverage, "%", {
-    between: [92, 98],
-  });
-  report.figure("clicks of 1 px, depths off by 1 %: refused", refused, `of ${trials}`);
+async function tellCalibration(report, trials) {
+  for (const { click_px, scale, robots, ball, refused } of await cases("bench_truth_calibration", [trials])) {
+    const name = `clicks of ${click_px} px, depths off by ${Math.round(100 * (scale - 1))} %`;
+    const bar = click_px === 1 ? (limit) => limit : () => ({});
+    report.figure(`${name}: places by depth, mean error`, robots.mean_cm, "cm", bar({ atMost: 1 }));
+    report.figure(`${name}: places by depth, p95`, robots.p95_cm, "cm", bar({ atMost: 2.2 }));
+    report.figure(`${name}: the ball's, p95`, ball.p95_cm, "cm", bar({ atMost: 2.2 }));
+    report.figure(`${name}: 95 % ellipse covers`, 100 * robots.coverage, "%", bar({ between: [92, 98] }));
+    report.figure(`${name}: refused`, refused, `of ${trials}`);
+  }
 }
 
-function tellTracks(report) {
-  const [kicked, switches, honest, cost] = cases("bench_truth_tracks");
+async function tellTracks(report) {
+  const [kicked, switches, honest, cost] = await cases("bench_truth_tracks");
   report.figure("kicked ball: velocity, smoothed, rms", 100 * kicked.smoothed_rms, "cm/s", { atMost: 5 });
   report.figure("kicked ball: velocity, as it happens, rms", 100 * kicked.online_rms, "cm/s");
   report.figure("10 min of 4v4: switched tracks, at most", switches.of_tracks, "in three games", { atMost: 5 });
@@ -57,8 +50,8 @@ function tellTracks(report) {
   report.figure("an image of 10 robots, two sensors", cost.ms_per_image, "ms", { atMost: 0.1 });
 }
 
-function tellOffsets(report, recordings) {
-  for (const found of cases("bench_truth_offset", recordings)) {
+async function tellOffsets(report, recordings) {
+  for (const found of await cases("bench_truth_offset", [recordings])) {
     const name = `${found.seconds} s ${found.kicks ? "with kicks" : "of walking only"}`;
     report.figure(`clock offset, ${name}: accepted`, found.accepted, `of ${found.recordings}`, {
       ...(found.kicks ? {} : { exactly: 0 }),
@@ -72,8 +65,8 @@ function tellOffsets(report, recordings) {
   }
 }
 
-function tellTags(report, frames) {
-  const all = cases("bench_truth_tags", frames).find(({ name }) => name === "all");
+async function tellTags(report, frames) {
+  const all = (await cases("bench_truth_tags", [frames])).find(({ name }) => name === "all");
   report.figure("printed tags: place, p95 error", all.position_cm.p95, "cm", { atMost: 2 });
   report.figure("printed tags: heading, p95 error", all.heading_deg.p95, "deg", { atMost: 2 });
   report.figure("printed tags: wrong identities", all.wrong_identities, `in ${all.frames} frames`, { exactly: 0 });
@@ -112,11 +105,11 @@ async function tellClients(report, seconds) {
 
 export async function truth({ seconds = 20, probes = 200, files = 10_000 }) {
   const report = new Report("truth", "how exact, fast and steady is ground truth, on synthetic images?");
-  tellFrames(report, probes);
-  tellCalibration(report, probes);
-  tellTracks(report);
-  tellOffsets(report, probes);
-  if (files > 0) tellTags(report, files);
+  await tellFrames(report, probes);
+  await tellCalibration(report, probes);
+  await tellTracks(report);
+  await tellOffsets(report, probes);
+  if (files > 0) await tellTags(report, files);
   await tellClients(report, seconds);
   return report.finish();
 }

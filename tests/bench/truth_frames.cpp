@@ -1,22 +1,32 @@
-#include "tests/bench/truth_frames.h"
-
+// How exactly and how fast are robots and balls found in depth images?
+//
+//   bench_truth_frames [FRAMES]    the detection on this many synthetic images of each case, 200 by default
+//
+// Prints a line of JSON for each case. Images: 640 x 480, five robots down to 0.36 m apart, a ball, a walking referee.
+// Budget: a frame in 1.2 ms on one core; robots within 5 m: 2.0 cm on average and 3.5 cm at p95; a ball 1.2 cm.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <ctime>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <vector>
 
+#include "robot/core/clock.h"
 #include "robot/truth/detection/detector.h"
 #include "robot/truth/synthetic/renderer.h"
 #include "robot/truth/synthetic/sensor_poses.h"
+#include "sim/statistics/sample.h"
 #include "tests/bench/truth_scenes.h"
+#include "tests/sim/support/fields.h"
 
-namespace bench {
 namespace {
 
 using namespace robot::truth;
+using bench::TruthScenes;
 using robot::Result;
+using sim::statistics::mean_of;
+using sim::statistics::quantile;
+using sim::statistics::ratio;
 
 /// One series of images.
 struct Case {
@@ -26,25 +36,6 @@ struct Case {
   bool goal_in_view = false;  // the sensor looks at a goal
   bool pose_error = false;    // the detector's pose has the error of a usual calibration
 };
-
-/// Milliseconds of this thread's processor time.
-double processor_ms() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
-
-double quantile(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return values.empty() ? 0 : sum / static_cast<double>(values.size());
-}
 
 /// Errors and counts of the things of one kind.
 struct Tally {
@@ -59,12 +50,12 @@ struct Tally {
     squares.push_back(error.dot(place.covariance.inverse() * error));
   }
 
-  void print(const char* name, int frames) const {
-    std::printf(
-        ", \"%s\": {\"recall\": %.4f, \"false_per_frame\": %.4f, \"mean_cm\": %.2f, \"p95_cm\": %.2f, "
-        "\"normalised_error_squared\": %.2f}",
-        name, static_cast<double>(found) / std::max(there, 1), static_cast<double>(wrong) / frames, 100 * mean(errors),
-        100 * quantile(errors, 0.95), mean(squares));
+  nlohmann::json figures(int frames) const {
+    return {{"recall", ratio(found, there)},
+            {"false_per_frame", ratio(wrong, frames)},
+            {"mean_cm", 100 * mean_of(errors)},
+            {"p95_cm", 100 * quantile(errors, 0.95)},
+            {"normalised_error_squared", mean_of(squares)}};
   }
 };
 
@@ -102,13 +93,14 @@ struct Score {
     if (visible && right) ball.add(seen->place, place, within_5_m(pose, truth.x, truth.y));
   }
 
-  void print(const Case& each, int frames) const {
-    std::printf("{\"case\": \"%s\", \"frames\": %d, \"median_ms\": %.3f, \"p95_ms\": %.3f", each.name, frames,
-                quantile(milliseconds, 0.5), quantile(milliseconds, 0.95));
-    standing.print("robots", frames);
-    lying.print("lying_robots", frames);
-    ball.print("ball", frames);
-    std::printf("}\n");
+  nlohmann::json figures(const Case& each, int frames) const {
+    return {{"case", each.name},
+            {"frames", frames},
+            {"median_ms", quantile(milliseconds, 0.5)},
+            {"p95_ms", quantile(milliseconds, 0.95)},
+            {"robots", standing.figures(frames)},
+            {"lying_robots", lying.figures(frames)},
+            {"ball", ball.figures(frames)}};
   }
 };
 
@@ -137,20 +129,20 @@ SensorPose with_error(SensorPose pose, TruthScenes& random) {
 
 Score score_of(const Case& each, int frames) {
   constexpr int kFramesOfPose = 20;
-  const SensorPose pose = each.goal_in_view ? looking({-0.5, -3.2, 2.1}, {1, 0.2, 0}) : mast(kTruthField);
-  Renderer renderer(pose, {.field = kTruthField}, {.colour = each.colour});
+  const SensorPose pose = each.goal_in_view ? looking({-0.5, -3.2, 2.1}, {1, 0.2, 0}) : mast(sim::kField2012);
+  Renderer renderer(pose, {.field = sim::kField2012}, {.colour = each.colour});
   TruthScenes scenes(pose, each.ball_radius, each.colour ? BallColour::orange : BallColour::black_and_white);
   const DetectorOptions options{.ball_radius = each.ball_radius, .colour_shift_x = 1};
-  Result<Detector> detector = Detector::create(pose, kTruthField, options);
+  Result<Detector> detector = Detector::create(pose, sim::kField2012, options);
   Score score;
   for (int frame = 0; frame < frames && detector; ++frame) {
     if (each.pose_error && frame % kFramesOfPose == 0)
-      detector = Detector::create(with_error(pose, scenes), kTruthField, options);
+      detector = Detector::create(with_error(pose, scenes), sim::kField2012, options);
     const Scene scene = scenes.next();
     const DepthFrame image = renderer.render(scene, static_cast<std::uint64_t>(frame));
-    const double begin = processor_ms();
+    const std::uint64_t begin_ns = robot::thread_cpu_ns();
     const Result<Detections> seen = detector->detect(image);
-    score.milliseconds.push_back(processor_ms() - begin);
+    score.milliseconds.push_back(static_cast<double>(robot::thread_cpu_ns() - begin_ns) / 1e6);
     if (!seen) continue;
     score.add_robots(scene, pose, seen->robots);
     score.add_ball(*scene.ball, visible(renderer, *scene.ball), pose, seen->ball);
@@ -160,7 +152,12 @@ Score score_of(const Case& each, int frames) {
 
 }  // namespace
 
-void truth_frames(int frames) {
+int main(int count, char** words) {
+  const int frames = count > 1 ? std::atoi(words[1]) : 200;
+  if (frames < 1) {
+    std::fputs("bench_truth_frames: FRAMES must be a number above 0\n", stderr);
+    return 2;
+  }
   const Case cases[] = {
       {.name = "ball 0.05 m, colours", .ball_radius = 0.05, .colour = true},
       {.name = "ball 0.0325 m, colours", .ball_radius = 0.0325, .colour = true},
@@ -169,7 +166,8 @@ void truth_frames(int frames) {
       {.name = "goal in view", .ball_radius = 0.05, .colour = true, .goal_in_view = true},
       {.name = "pose with error", .ball_radius = 0.05, .colour = true, .pose_error = true},
   };
-  for (const Case& each : cases) score_of(each, frames).print(each, frames);
+  for (const Case& each : cases) {
+    std::puts(score_of(each, frames).figures(each, frames).dump().c_str());
+    std::fflush(stdout);
+  }
 }
-
-}  // namespace bench

@@ -9,12 +9,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <vector>
 
+#include "robot/core/clock.h"
 #include "robot/lab/clocks/truth_offset.h"
+#include "sim/statistics/sample.h"
 #include "tests/support/planted_offset.h"
 
 namespace {
@@ -32,24 +34,17 @@ struct Case {
 /// The figures of one case.
 struct Figures {
   std::vector<double> errors, deviations, drift_errors;  // [ms], [ms], [ppm]
-  int covered = 0;
-  double cpu_seconds = 0;  // [s] of processor time, of all estimates
+  sim::statistics::Share covered;
+  std::uint64_t cpu_ns = 0;  // of all estimates
 
   void take(const tests::PlantedPlan& plan, const DataOffset& found) {
     const double planted = plan.offset + plan.drift * (found.middle - plan.offset);
     errors.push_back(std::abs(found.offset - planted) * 1e3);
     deviations.push_back(found.deviation * 1e3);
-    covered += errors.back() <= kTwoSided * deviations.back();
+    covered.add(errors.back() <= kTwoSided * deviations.back());
     if (found.drift_deviation > 0) drift_errors.push_back(std::abs(found.drift - plan.drift) * 1e6);
   }
 };
-
-/// Returns the value that `part` of all do not exceed; 0 without values.
-double quantile(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
-  std::ranges::sort(values);
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
 
 Figures measure(const Case& of) {
   Figures figures;
@@ -61,24 +56,28 @@ Figures measure(const Case& of) {
                                   .drift = of.drift,
                                   .seed = 1000 + static_cast<std::uint32_t>(i)};
     const auto distances = tests::planted_distances(plan);
-    const std::clock_t start = std::clock();
+    const std::uint64_t start_ns = robot::thread_cpu_ns();
     const auto found = find_offset(tests::shared_distance(distances), {.middle = 0, .reach = 60});
-    figures.cpu_seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    figures.cpu_ns += robot::thread_cpu_ns() - start_ns;
     if (found) figures.take(plan, *found);
   }
   return figures;
 }
 
 void print(const Case& of, const Figures& figures) {
-  const auto accepted = figures.errors.size();
-  std::printf(
-      "{\"bench\": \"truth_offset\", \"seconds\": %.0f, \"kicks\": %s, \"drift_ppm\": %.0f, \"recordings\": %d, "
-      "\"accepted\": %zu, \"error_median_ms\": %.2f, \"error_p95_ms\": %.2f, \"deviation_median_ms\": %.2f, "
-      "\"coverage\": %.3f, \"drift_error_median_ppm\": %.2f, \"estimate_cpu_ms\": %.1f}\n",
-      of.seconds, of.kicks ? "true" : "false", of.drift * 1e6, of.recordings, accepted, quantile(figures.errors, 0.5),
-      quantile(figures.errors, 0.95), quantile(figures.deviations, 0.5),
-      accepted > 0 ? static_cast<double>(figures.covered) / static_cast<double>(accepted) : 0,
-      quantile(figures.drift_errors, 0.5), 1e3 * figures.cpu_seconds / of.recordings);
+  using sim::statistics::median, sim::statistics::quantile;
+  const nlohmann::json line{{"seconds", of.seconds},
+                            {"kicks", of.kicks},
+                            {"drift_ppm", of.drift * 1e6},
+                            {"recordings", of.recordings},
+                            {"accepted", figures.errors.size()},
+                            {"error_median_ms", median(figures.errors)},
+                            {"error_p95_ms", quantile(figures.errors, 0.95)},
+                            {"deviation_median_ms", median(figures.deviations)},
+                            {"coverage", figures.covered.value()},
+                            {"drift_error_median_ppm", median(figures.drift_errors)},
+                            {"estimate_cpu_ms", static_cast<double>(figures.cpu_ns) / 1e6 / of.recordings}};
+  std::puts(line.dump().c_str());
   std::fflush(stdout);
 }
 

@@ -5,24 +5,8 @@
 
 #include "robot/truth/frame/sensor_pose.h"
 #include "robot/truth/synthetic/scene.h"
-#include "sim/field/field.h"
 
 namespace bench {
-
-/// The field of 2012 (sim/data/rules/spl2012.json), which one sensor sees nearly as a whole.
-inline constexpr sim::field::Field kTruthField{.length = 6,
-                                               .width = 4,
-                                               .border = 0.7F,
-                                               .line_width = 0.05F,
-                                               .centre_circle_radius = 0.6F,
-                                               .goal_area_length = 0.6F,
-                                               .goal_area_width = 2.2F,
-                                               .penalty_area_length = 0,
-                                               .penalty_area_width = 0,
-                                               .penalty_mark = 1.8F,
-                                               .goal_width = 1.4F,
-                                               .goal_depth = 0.5F,
-                                               .post_radius = 0.05F};
 
 /// Scenes that a sensor sees. The sequence is the same on all machines.
 class TruthScenes {

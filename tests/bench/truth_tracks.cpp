@@ -1,12 +1,14 @@
-#include "tests/bench/truth_tracks.h"
-
+// How good are velocities, identities and covariances of the fused truth, and what does an image cost? Prints a line of JSON
+// for each part. The budget of an image is 0.1 ms with 10 robots on the lab's machine.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
+#include <cstdio>
 #include <map>
+#include <string>
 #include <utility>
 
+#include "robot/core/clock.h"
 #include "robot/core/text.h"
 #include "robot/truth/tracks/smoother.h"
 #include "robot/truth/tracks/tracker.h"
@@ -174,8 +176,9 @@ std::pair<double, double> robot_errors_of(const Recorded& game, const std::vecto
   return {place.value(), velocity.value()};
 }
 
-}  // namespace
-
+/// Returns the velocity of a ball that rolls after kicks and rebounds, online and smoothed [m/s rms], in ten minutes of a game.
+/// The noise is 1 cm; 30 images come a second, 5 % of them without the ball. Images around a contact do not count.
+/// `followed_share` are the kicks that are followed within 30 % of their velocity, by the count of images since then.
 std::string kicked_ball() {
   test::Watcher watcher;
   watcher.misses = 0.05;
@@ -188,6 +191,7 @@ std::string kicked_ball() {
       followed[2], followed[3]);
 }
 
+/// Returns identity switches in ten minutes of 4v4, the most of three games: of tracks, and of players with own poses.
 std::string identity_switches() {
   int tracks = 0, players = 0, smoothed_players = 0;
   double named = 1, wrong = 0;
@@ -206,6 +210,8 @@ std::string identity_switches() {
       tracks, players, smoothed_players, named, wrong);
 }
 
+/// Returns mean normalised squared errors of place and velocity of robots that walk as the filter expects, and the 95 % band
+/// around 4. Then the variance of two sensors relative to that of one, and errors of robots in a game.
 std::string consistency() {
   constexpr int walks = 2000;
   test::Random random(5);
@@ -221,13 +227,14 @@ std::string consistency() {
       velocity, smoothed_velocity);
 }
 
+/// Returns the processor time of an image of one of two sensors with ten robots [ms].
 std::string cost_of_an_image() {
   test::Watcher watcher;
   watcher.occlusions = false;
   Recorded game = recorded(7, 3000, watcher);
   Tracker tracker({Sensor{}, Sensor{}});
   std::size_t robots = 0, images = 0;
-  const std::clock_t begin = std::clock();
+  const std::uint64_t begin_ns = robot::thread_cpu_ns();
   for (SensorImage& image : game.images) {
     for (const double y : {-2.8, 2.8}) {
       image.detections.robots.push_back(image.detections.robots.front());
@@ -240,7 +247,16 @@ std::string cost_of_an_image() {
       ++images;
     }
   }
-  const double time = 1000. * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;  // [ms]
+  const double time = static_cast<double>(robot::thread_cpu_ns() - begin_ns) / 1e6;  // [ms]
   return formatted(R"({"part":"cost","ms_per_image":%.4f,"robots":%.2f})", time / static_cast<double>(images),
                    static_cast<double>(robots) / static_cast<double>(images));
+}
+
+}  // namespace
+
+int main() {
+  for (const auto& part : {kicked_ball, identity_switches, consistency, cost_of_an_image}) {
+    std::puts(part().c_str());
+    std::fflush(stdout);
+  }
 }

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/truth/synthetic/sensor_poses.h"
+#include "tests/sim/support/fields.h"
+
 namespace tests {
 namespace {
 
@@ -84,28 +87,9 @@ std::vector<robot::truth::Click> GroundScene::clicks(std::mt19937& random, doubl
   return clicks;
 }
 
-Eigen::Isometry3d looking(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
-  const Eigen::Vector3d forward = (target - eye).normalized();
-  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() << right, forward.cross(right), forward;
-  pose.translation() = eye;
-  return pose;
-}
-
 GroundScene mast_scene() {
-  return {.field = {.length = 6,
-                    .width = 4,
-                    .border = 0.7f,
-                    .line_width = 0.05f,
-                    .centre_circle_radius = 0.6f,
-                    .goal_area_length = 0.6f,
-                    .goal_area_width = 2.2f,
-                    .penalty_mark = 1.8f,
-                    .goal_width = 1.4f,
-                    .goal_depth = 0.5f,
-                    .post_radius = 0.05f},
-          .field_from_sensor = looking({0, -3.2, 2.1}, {0, 0.2, 0}),
+  return {.field = sim::kField2012,
+          .field_from_sensor = robot::truth::mast(sim::kField2012).field_from_sensor,
           .boxes = {{{-1.1, -0.4}, {-0.8, -0.2}, 0.55},
                     {{0.5, -0.9}, {0.8, -0.7}, 0.55},
                     {{1.0, 0.9}, {1.3, 1.1}, 0.55},

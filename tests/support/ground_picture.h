@@ -35,10 +35,7 @@ struct GroundScene {
   std::vector<robot::truth::Click> clicks(std::mt19937& random, double deviation) const;
 };
 
-/// Returns the pose of a sensor at `eye` that looks at `target`, its picture upright.
-Eigen::Isometry3d looking(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
-
-/// Returns the field of 2012, 6 m x 4 m, seen from a mast of 2.1 m that stands 3.2 m beside its middle. Nine landmarks without
+/// Returns the field of 2012, 6 m x 4 m, seen from a mast of 2.1 m that stands 3.2 m beside its middle. Ten landmarks without
 /// the feet of posts are in the picture; robots, a referee and a wall, too.
 GroundScene mast_scene();
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "robot/truth/synthetic/sensor_poses.h"
 #include "tests/support/ground_picture.h"
 
 namespace robot::truth {
@@ -68,7 +69,7 @@ TEST(Calibrate, NeedsNoDepthImage) {
 TEST(Calibrate, FindsFocalLengthAndDistortionOfAColourCamera) {
   Camera camera{{.width = 1280, .height = 960, .focal_x = 800, .focal_y = 800, .centre_x = 640, .centre_y = 480},
                 {.k1 = -0.12}};
-  const Eigen::Isometry3d field_from_camera = tests::looking({-1, -3.5, 2.6}, {0, 0.4, 0});
+  const Eigen::Isometry3d field_from_camera = robot::truth::looking({-1, -3.5, 2.6}, {0, 0.4, 0}).field_from_sensor;
   Clicks clicks;
   for (const Landmark& landmark : lab().landmarks) {
     const Eigen::Vector3d seen = field_from_camera.inverse() * landmark.position;
@@ -143,7 +144,7 @@ TEST(Calibrate, FindsOneClickThatIsFarOff) {
 TEST(Calibrate, CountsTheHiddenFootOfAPostLess) {
   const auto error_after_moving = [](const char* moved) {
     GroundScene scene = lab().scene;
-    scene.field_from_sensor = tests::looking({0, -4.5, 2.5}, {0, 0.5, 0});
+    scene.field_from_sensor = robot::truth::looking({0, -4.5, 2.5}, {0, 0.5, 0}).field_from_sensor;
     std::mt19937 random(1);
     Clicks clicks = scene.clicks(random, 0);
     const Eigen::Vector2d post = scene.pose().pixel(find_landmark(lab().landmarks, "post +x +y, foot")->position);

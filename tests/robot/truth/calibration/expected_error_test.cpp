@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "robot/truth/synthetic/sensor_poses.h"
 #include "tests/support/ground_picture.h"
 
 namespace robot::truth {
@@ -42,7 +43,7 @@ TEST(ExpectedError, OfATurnGrowsWithTheDistance) {
 }
 
 TEST(ExpectedError, CountsDepthsWithinFiveMetresAndBearingsEverywhere) {
-  const View view = view_of(tests::looking({0, -3.2, 2.1}, {0, 0.2, 0}));
+  const View view = view_of(robot::truth::looking({0, -3.2, 2.1}, {0, 0.2, 0}).field_from_sensor);
   const Eigen::Vector2d reach(3, 2.5);
   const auto depth = expected_error(view, ViewCovariance::Zero(), reach, MeasuredBy::depth, 0.3);
   const auto bearing = expected_error(view, ViewCovariance::Zero(), reach, MeasuredBy::bearing, 0.3);
@@ -51,7 +52,7 @@ TEST(ExpectedError, CountsDepthsWithinFiveMetresAndBearingsEverywhere) {
 }
 
 TEST(ExpectedError, IsEmptyForASensorThatLooksAway) {
-  const View view = view_of(tests::looking({0, -3.2, 2.1}, {0, -9, 0}));
+  const View view = view_of(robot::truth::looking({0, -3.2, 2.1}, {0, -9, 0}).field_from_sensor);
   const auto error = expected_error(view, ViewCovariance::Identity(), {3, 2}, MeasuredBy::depth, 0.3);
   EXPECT_TRUE(error.grid.empty());
   EXPECT_EQ(error.p95, 0);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "robot/truth/synthetic/sensor_poses.h"
 #include "tests/support/ground_picture.h"
 
 namespace robot::truth {
@@ -39,7 +40,7 @@ TEST(Ground, IsTheCarpetBetweenRobotsPeopleAndWalls) {
 
 TEST(Ground, IsThePlaneOfTheClicksAlsoWhereAWallHasMorePixels) {
   GroundScene scene = small(tests::mast_scene());
-  scene.field_from_sensor = tests::looking({0, -3.2, 1.5}, {0, 0, 1.2});
+  scene.field_from_sensor = robot::truth::looking({0, -3.2, 1.5}, {0, 0, 1.2}).field_from_sensor;
   scene.boxes = {{{-5, 1.4}, {5, 1.6}, 4}};
   std::vector<Eigen::Vector2d> clicks;
   for (const double x : {-0.8, -0.2, 0.3, 0.9}) clicks.push_back(scene.pose().pixel({x, 0.5 * x, 0}));

@@ -30,7 +30,7 @@ TEST(Landmarks, AreCrossingsMarksAndFeetOfPosts) {
   EXPECT_TRUE(place("penalty area +x -y").isApprox(Eigen::Vector3d(1.35, -1.6, 0), 1e-6));
   EXPECT_TRUE(place("penalty area +x -y, goal line").isApprox(Eigen::Vector3d(3, -1.6, 0), 1e-6));
   EXPECT_TRUE(place("centre circle, halfway line +y").isApprox(Eigen::Vector3d(0, 0.6, 0), 1e-6));
-  EXPECT_TRUE(place("penalty mark -x").isApprox(Eigen::Vector3d(-1.2, 0, 0), 1e-6));
+  EXPECT_TRUE(place("penalty mark -x").isApprox(Eigen::Vector3d(-1.7, 0, 0), 1e-6));
   EXPECT_TRUE(place("centre mark").isApprox(Eigen::Vector3d(0, 0, 0), 1e-6));
   EXPECT_TRUE(place("post +x -y, foot").isApprox(Eigen::Vector3d(3, -0.7, 0), 1e-6));
 }

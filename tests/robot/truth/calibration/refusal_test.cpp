@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "robot/truth/synthetic/sensor_poses.h"
 #include "tests/support/ground_picture.h"
 
 namespace robot::truth {
@@ -124,7 +125,7 @@ TEST(Refusal, OfADepthScaleBeyondItsPriorSaysWhatToCheck) {
 
 TEST(Refusal, OfASensorFarFromTheFieldSaysWhereToTurnIt) {
   tests::GroundScene scene = refusal_lab().scene;
-  scene.field_from_sensor = tests::looking({0, -7.5, 2.1}, {0, 0, 0});
+  scene.field_from_sensor = robot::truth::looking({0, -7.5, 2.1}, {0, 0, 0}).field_from_sensor;
   const Ground ground{.normal = scene.field_from_sensor.linear().row(2).transpose(),
                       .height = 2.1,
                       .roots = Eigen::Matrix4d::Zero(),

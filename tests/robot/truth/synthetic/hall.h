@@ -3,23 +3,11 @@
 
 #include "robot/truth/synthetic/sensor_poses.h"
 #include "robot/truth/synthetic/surroundings.h"
+#include "tests/sim/support/fields.h"
 
 namespace robot::truth {
 
-/// The field of 2012 (sim/data/rules/spl2012.json).
-inline constexpr sim::field::Field kField2012{.length = 6,
-                                              .width = 4,
-                                              .border = 0.7F,
-                                              .line_width = 0.05F,
-                                              .centre_circle_radius = 0.6F,
-                                              .goal_area_length = 0.6F,
-                                              .goal_area_width = 2.2F,
-                                              .penalty_area_length = 0,
-                                              .penalty_area_width = 0,
-                                              .penalty_mark = 1.8F,
-                                              .goal_width = 1.4F,
-                                              .goal_depth = 0.5F,
-                                              .post_radius = 0.05F};
+using sim::kField2012;
 inline constexpr Surroundings kHall{.field = kField2012};
 
 /// A camera with the view of a Kinect and a quarter of its pixels in each direction.

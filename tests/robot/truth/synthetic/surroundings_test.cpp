@@ -34,7 +34,7 @@ TEST(Surroundings, LinesAreWhereTheFieldHasThem) {
     return cast_of(kHall, pose).material[pixel_of(pose, {x, y, 0})];
   };
   // the centre line, a touch line, the circle, a penalty mark, the front of a goal area
-  for (const auto& [x, y] : {std::pair{0., 1.}, {1., 2.}, {0.6, 0.}, {-1.2, 0.}, {2.4, 0.5}})
+  for (const auto& [x, y] : {std::pair{0., 1.}, {1., 2.}, {0.6, 0.}, {-1.7, 0.}, {2.4, 0.5}})
     EXPECT_EQ(material_at(x, y), Material::line) << x << " " << y;
   for (const auto& [x, y] : {std::pair{0.3, 0.1}, {1., 1.9}, {0.7, 0.}, {2.5, 0.5}, {3.3, 0.}})
     EXPECT_EQ(material_at(x, y), Material::carpet) << x << " " << y;
