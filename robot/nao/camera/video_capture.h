@@ -20,7 +20,7 @@ struct CameraSettings {
   std::filesystem::path device;
   std::uint32_t width = 640, height = 480;  // [px]
   std::uint32_t rate = 30;                  // [1/s]
-  /// Of the device: YUYV, or another one with 2 bytes per pixel (V4L2_PIX_FMT_Z16), or a compressed one (V4L2_PIX_FMT_MJPEG).
+  /// The device's pixel format: one with 2 bytes a pixel, such as V4L2_PIX_FMT_Z16, or a compressed one, V4L2_PIX_FMT_MJPEG.
   std::uint32_t format = V4L2_PIX_FMT_YUYV;
   bool turned = false;  // the camera is mounted upside down; YUYV only
 

@@ -23,7 +23,7 @@ Result<std::vector<Click>> parse_clicks(std::string_view text);
 nlohmann::json to_json(const std::vector<Click>& clicks);
 
 /// Returns the answer to clicks. "refused" is empty for a good calibration.
-/// Of an Error, the answer is only {"fitted": false, "refused": the sentence}.
+/// An Error becomes {"fitted": false, "refused": the sentence}.
 ///
 /// {"fitted", "refused", "residuals": [{"landmark", "pixels", "outlier"}], "depth_scale", "depth_scale_deviation",
 /// "error": {"mean", "p95", "grid": [{"x", "y", "metres"}]}, "ball_error": the same, "left_out": {"mean", "worst",

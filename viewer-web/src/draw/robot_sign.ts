@@ -30,7 +30,7 @@ export const kLiveries: Liveries = {
   away: { colour: "#e8500a", shape: "square" },
 };
 
-/** Of robots that nobody has identified. */
+/** Robots that nobody has identified look like this. */
 export const kUnknownLivery: Livery = { colour: "#dde5ea", shape: "disc" };
 
 /** Jerseys by the words of `TeamState.Colour`, bright enough for the carpet. */
