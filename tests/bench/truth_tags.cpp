@@ -68,7 +68,7 @@ void count_robot(Account& account, const TaggedScene& scene, const SeenRobot& se
 
 /// Reports whether the picture shows the whole tag with its margin. Other robots may hide it.
 bool is_in_view(const Camera& camera, const TrueRobot& robot) {
-  const Intrinsics& picture = camera.lens.intrinsics;
+  const Intrinsics& picture = camera.projection.intrinsics;
   for (const double x : {-0.625, 0.625})
     for (const double y : {-0.625, 0.625}) {
       const auto pixel = camera.pixel(robot.field_from_tag * Eigen::Vector3d(x * robot.edge, y * robot.edge, 0));

@@ -7,13 +7,13 @@ using robot::truth::tags::PictureSize;
 
 Camera camera_above(const Eigen::Vector3d& from, const Eigen::Vector2d& target, PictureSize size, double focal) {
   Camera camera;
-  camera.lens.intrinsics = {.width = size.width,
-                            .height = size.height,
-                            .focal_x = focal,
-                            .focal_y = focal,
-                            .centre_x = size.width / 2.0,
-                            .centre_y = size.height / 2.0,
-                            .baseline = 0};
+  camera.projection.intrinsics = {.width = size.width,
+                                  .height = size.height,
+                                  .focal_x = focal,
+                                  .focal_y = focal,
+                                  .centre_x = size.width / 2.0,
+                                  .centre_y = size.height / 2.0,
+                                  .baseline = 0};
   const Eigen::Vector3d forward = (Eigen::Vector3d(target.x(), target.y(), 0) - from).normalized();
   const Eigen::Vector3d away = forward.head<2>().norm() > 1e-6 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
   const Eigen::Vector3d right = forward.cross(away).normalized();

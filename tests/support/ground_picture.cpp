@@ -77,7 +77,7 @@ DepthFrame GroundScene::depth_image(std::mt19937* random) const {
 std::vector<robot::truth::Click> GroundScene::clicks(std::mt19937& random, double deviation) const {
   std::vector<robot::truth::Click> clicks;
   for (const auto& landmark : robot::truth::landmarks_of(field)) {
-    const robot::truth::Camera camera{intrinsics, {}};
+    const robot::truth::Projection camera{intrinsics, {}};
     if (!camera.shows(field_from_sensor.inverse() * landmark.position) || landmark.deviation > 0) continue;
     const Eigen::Vector2d pixel = pose().pixel(landmark.position);
     const double x = pixel.x() + deviation * normal_number(random), y = pixel.y() + deviation * normal_number(random);

@@ -182,12 +182,13 @@ std::unique_ptr<Thing> cylinder(const Eigen::Vector2d& place, double radius, dou
 }
 
 Renderer::Renderer(const Camera& camera)
-    : camera_(camera), width_(camera.lens.intrinsics.width), height_(camera.lens.intrinsics.height) {
+    : camera_(camera), width_(camera.projection.intrinsics.width), height_(camera.projection.intrinsics.height) {
   ways_.resize(index_of(0, height_ + 1, width_ + 1));
   const auto at = [this](int x, int y) -> Eigen::Vector3d& { return ways_[index_of(x, y, width_ + 1)]; };
   // the lens is slow: each eighth ray is exact, and the others between them are within 0.01 px
   for (int y = 0; y <= height_; y += kGrid)
-    for (int x = 0; x <= width_; x += kGrid) at(x, y) = camera.field_from_camera.linear() * camera.lens.ray({x, y});
+    for (int x = 0; x <= width_; x += kGrid)
+      at(x, y) = camera.field_from_camera.linear() * camera.projection.ray({x, y}).value();
   for (int y = 0; y <= height_; y += kGrid)
     for (int x = 0; x < width_; ++x)
       at(x, y) = between(at(x / kGrid * kGrid, y), at(x / kGrid * kGrid + kGrid, y), x % kGrid);
@@ -236,7 +237,8 @@ std::vector<std::uint64_t> Renderer::things_of_pixels(const Things& things) cons
     const auto middle = camera_.pixel(things[i]->middle);
     if (!middle) continue;
     const double distance = (things[i]->middle - camera_.field_from_camera.translation()).norm();
-    const double reach = 2 + 1.6 * camera_.lens.intrinsics.focal_x * things[i]->extent / (distance - things[i]->extent);
+    const double reach =
+        2 + 1.6 * camera_.projection.intrinsics.focal_x * things[i]->extent / (distance - things[i]->extent);
     const auto from = [&](double at) { return std::max(0, static_cast<int>(at - reach)); };
     const auto to = [&](double at, int end) { return std::min(end, static_cast<int>(at + reach) + 1); };
     for (int y = from(middle->y()); y < to(middle->y(), height_); ++y)

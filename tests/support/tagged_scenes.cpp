@@ -99,10 +99,10 @@ TagPlan plan_of_scenes() {
 Camera random_camera(std::mt19937& random) {
   const Eigen::Vector3d from{uniform(random, -0.3, 0.3), uniform(random, -1.6, -0.6), uniform(random, 2.5, 3)};
   Camera camera = camera_above(from, {0, 0}, {1280, 720}, uniform(random, 640, 720));
-  camera.lens.k1 = uniform(random, -0.15, -0.05);
-  camera.lens.k2 = 0.02;
-  camera.lens.p1 = uniform(random, -0.001, 0.001);
-  camera.lens.p2 = uniform(random, -0.001, 0.001);
+  camera.projection.lens.k1 = uniform(random, -0.15, -0.05);
+  camera.projection.lens.k2 = 0.02;
+  camera.projection.lens.p1 = uniform(random, -0.001, 0.001);
+  camera.projection.lens.p2 = uniform(random, -0.001, 0.001);
   return camera;
 }
 
@@ -131,7 +131,7 @@ TaggedScene random_scene(std::mt19937& random) {
 bool shows_ball(const TaggedScene& scene, const Camera& camera) {
   const Eigen::Vector3d ball{scene.ball.x(), scene.ball.y(), kSceneBallRadius};
   const auto pixel = camera.pixel(ball);
-  const auto& picture = camera.lens.intrinsics;
+  const auto& picture = camera.projection.intrinsics;
   const double margin = 15;  // [px] more than its radius
   if (!pixel || pixel->minCoeff() < margin || pixel->x() > picture.width - margin ||
       pixel->y() > picture.height - margin)

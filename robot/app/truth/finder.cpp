@@ -20,11 +20,7 @@ Finder depth_finder(const sim::field::Field& field, const truth::DetectorOptions
 
 Finder tag_finder(const truth::tags::TagPlan& plan, double ball_radius) {
   return {.at = [plan, ball_radius](const PlacedSensor& placed) -> Result<Find> {
-            const truth::tags::Camera camera{.lens = {.intrinsics = placed.pose.intrinsics,
-                                                      .k1 = placed.lens.k1,
-                                                      .k2 = placed.lens.k2,
-                                                      .p1 = placed.lens.p1,
-                                                      .p2 = placed.lens.p2},
+            const truth::tags::Camera camera{.projection = {placed.pose.intrinsics, placed.lens},
                                              .field_from_camera = placed.pose.field_from_sensor};
             auto made = truth::tags::TagWatcher::create(camera, plan, {.ball = {.radius = ball_radius}, .threads = 2});
             if (!made) return made.failure();

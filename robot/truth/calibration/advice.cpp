@@ -35,7 +35,7 @@ double variance_at_landmarks(const View& view, const ViewCovariance& covariance,
 
 }  // namespace
 
-const char* half_of(double x, const Camera& camera) {
+const char* half_of(double x, const Projection& camera) {
   return x < camera.intrinsics.width / 2. ? "left half of the picture" : "right half of the picture";
 }
 

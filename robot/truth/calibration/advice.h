@@ -10,7 +10,7 @@
 namespace robot::truth {
 
 /// Returns "left half of the picture" or "right half of the picture" for a pixel.
-const char* half_of(double x, const Camera& camera);
+const char* half_of(double x, const Projection& camera);
 
 /// Returns the advice to click one more landmark of the picture: the one that makes the errors on the field least.
 std::string advice(const Fit& fit, const std::vector<Landmark>& landmarks, const std::vector<std::string>& clicked,

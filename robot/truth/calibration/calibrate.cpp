@@ -18,7 +18,7 @@ constexpr double kFreeDistortion = 0.3;  // deviation of a free k1
 /// The clicks of one calibration, and all else that its fits have in common.
 class Fitting {
  public:
-  Fitting(const std::vector<Landmark>& landmarks, const std::vector<Click>& clicks, const Camera& camera,
+  Fitting(const std::vector<Landmark>& landmarks, const std::vector<Click>& clicks, const Projection& camera,
           const std::optional<Ground>& ground, const CalibrationOptions& options)
       : ground_(ground),
         prior_{.camera = camera,
@@ -110,7 +110,7 @@ Eigen::Vector2d reach_of(const std::vector<Landmark>& landmarks) {
 }  // namespace
 
 Result<Calibration> calibrate(const std::vector<Landmark>& landmarks, const std::vector<Click>& clicks,
-                              const Camera& camera, const std::optional<Ground>& ground,
+                              const Projection& camera, const std::optional<Ground>& ground,
                               const CalibrationOptions& options) {
   if (const auto checked = check_clicks(landmarks, clicks, camera, options); !checked) return checked.failure();
   Fitting fitting(landmarks, clicks, camera, ground, options);
@@ -134,7 +134,7 @@ Result<Calibration> calibrate(const std::vector<Landmark>& landmarks, const std:
 
 Result<Calibration> calibrate(const std::vector<Landmark>& landmarks, const std::vector<Click>& clicks,
                               const DepthFrame& frame, const CalibrationOptions& options, const Lens& lens) {
-  const Camera camera{frame.intrinsics, lens};
+  const Projection camera{frame.intrinsics, lens};
   if (frame.depth.empty()) return calibrate(landmarks, clicks, camera, std::nullopt, options);
   if (const auto checked = check_clicks(landmarks, clicks, camera, options); !checked) return checked.failure();
 

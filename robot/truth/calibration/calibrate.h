@@ -9,7 +9,7 @@
 #include "robot/truth/calibration/expected_error.h"
 #include "robot/truth/calibration/ground.h"
 #include "robot/truth/calibration/landmarks.h"
-#include "robot/truth/calibration/lens.h"
+#include "robot/truth/frame/projection.h"
 #include "robot/truth/frame/sensor_pose.h"
 
 namespace robot::truth {
@@ -60,7 +60,7 @@ struct Calibration {
 /// Returns an Error if there is no calibration to report. Each landmark must be known, clicked once, and in the picture. At
 /// least four are needed, and they must not lie near one line or fit a mirrored field.
 Result<Calibration> calibrate(const std::vector<Landmark>& landmarks, const std::vector<Click>& clicks,
-                              const Camera& camera, const std::optional<Ground>& ground,
+                              const Projection& camera, const std::optional<Ground>& ground,
                               const CalibrationOptions& options = {});
 
 /// Calibrates the sensor of a depth image. An image without depths counts as a colour camera's.

@@ -15,14 +15,14 @@ constexpr double kLeastSpread = 0.15;   // [m] deviation of the landmarks from a
 constexpr std::size_t kMostNamed = 40;  // letters of a wrong name that a sentence repeats
 
 /// Returns the half of the picture with fewer clicks.
-const char* emptier_half(const std::vector<Click>& clicks, const Camera& camera) {
+const char* emptier_half(const std::vector<Click>& clicks, const Projection& camera) {
   const auto left = std::count_if(clicks.begin(), clicks.end(),
                                   [&](const Click& click) { return click.x < camera.intrinsics.width / 2.; });
   const bool left_is_emptier = 2 * left <= static_cast<std::ptrdiff_t>(clicks.size());
   return half_of(left_is_emptier ? 0 : camera.intrinsics.width, camera);
 }
 
-Result<void> check_click(const std::vector<Landmark>& landmarks, const Click& click, const Camera& camera) {
+Result<void> check_click(const std::vector<Landmark>& landmarks, const Click& click, const Projection& camera) {
   const std::string name = printable(click.landmark, kMostNamed);
   if (!find_landmark(landmarks, click.landmark))
     return Error{formatted("clicks: the field has no landmark '%s'", name.c_str())};
@@ -53,7 +53,7 @@ double spread_of(const std::vector<Landmark>& landmarks, const std::vector<Click
 }  // namespace
 
 Result<void> check_clicks(const std::vector<Landmark>& landmarks, const std::vector<Click>& clicks,
-                          const Camera& camera, const CalibrationOptions& options) {
+                          const Projection& camera, const CalibrationOptions& options) {
   if (!(options.click_deviation > 0) || !(options.depth_scale_deviation >= 0))
     return Error{"calibration: the deviations of clicks and of the depth scale must be positive"};
   std::set<std::string> names;

@@ -12,6 +12,6 @@ inline constexpr std::size_t kFewestLandmarks = 4;
 
 /// Returns an Error if the clicks cannot give any calibration: see calibrate().
 Result<void> check_clicks(const std::vector<Landmark>& landmarks, const std::vector<Click>& clicks,
-                          const Camera& camera, const CalibrationOptions& options);
+                          const Projection& camera, const CalibrationOptions& options);
 
 }  // namespace robot::truth

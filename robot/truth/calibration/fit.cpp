@@ -14,7 +14,7 @@ constexpr double kCauchy = 3;           // deviations from which a miss counts l
 constexpr double kKnownExactly = 1e-6;  // deviation in place of 0, which would divide by it
 constexpr int kCarpetResiduals = 4, kPriorResiduals = 3;
 
-Eigen::Vector2d error_of(const Camera& camera, const Eigen::Vector3d& seen, const Eigen::Vector2d& pixel) {
+Eigen::Vector2d error_of(const Projection& camera, const Eigen::Vector3d& seen, const Eigen::Vector2d& pixel) {
   if (!(seen.z() > 0.01)) return {kFar, 0};
   return camera.pixel(seen) - pixel;
 }

@@ -22,7 +22,7 @@ double miss_of(const View& view, const Sighting& sighting);
 
 /// The knowledge before the fit: a camera and one standard deviation of each uncertain number. 0: known exactly.
 struct Prior {
-  Camera camera;
+  Projection camera;
   double depth_scale_deviation = 0;  // around 1
   double focal_deviation = 0;        // as a share of the focal length
   double k1_deviation = 0;

@@ -38,7 +38,7 @@ struct Plane {
   bool holds(const GroundSample& sample) const { return std::abs(distance(sample)) < 3 * deviation(sample); }
 };
 
-std::optional<GroundSample> sample_at(const DepthFrame& frame, const Camera& camera, int column, int row) {
+std::optional<GroundSample> sample_at(const DepthFrame& frame, const Projection& camera, int column, int row) {
   const Intrinsics& image = frame.intrinsics;
   const double z = frame.unit * frame.depth[index_of(column, row, image.width)];
   const auto ray = z > 0 ? camera.ray({column + 0.5, row + 0.5}) : std::nullopt;
@@ -79,7 +79,7 @@ struct SampleGrid {
   }
 };
 
-SampleGrid grid_of(const DepthFrame& frame, const Camera& camera) {
+SampleGrid grid_of(const DepthFrame& frame, const Projection& camera) {
   const int spacing = std::max(3, frame.intrinsics.width / 80);
   SampleGrid grid{.columns = frame.intrinsics.width / spacing, .rows = frame.intrinsics.height / spacing};
   for (int row = 0; row < grid.rows; ++row)
@@ -89,7 +89,8 @@ SampleGrid grid_of(const DepthFrame& frame, const Camera& camera) {
 }
 
 /// Returns the sample of median depth around a click, or nothing where the sensor measured too little.
-std::optional<GroundSample> sample_around(const DepthFrame& frame, const Camera& camera, const Eigen::Vector2d& click) {
+std::optional<GroundSample> sample_around(const DepthFrame& frame, const Projection& camera,
+                                          const Eigen::Vector2d& click) {
   constexpr int kReach = 3;  // [px]
   std::vector<GroundSample> around;
   const int column = static_cast<int>(std::floor(click.x())), row = static_cast<int>(std::floor(click.y()));
@@ -180,7 +181,7 @@ Ground ground_of(const Plane& plane, const std::vector<GroundSample>& samples) {
 }  // namespace
 
 Result<Ground> find_ground(const DepthFrame& frame, const Lens& lens, const std::vector<Eigen::Vector2d>& clicks) {
-  const Camera camera{frame.intrinsics, lens};
+  const Projection camera{frame.intrinsics, lens};
   if (frame.depth.size() != index_of(0, frame.intrinsics.height, frame.intrinsics.width))
     return Error{formatted("depth image: expected %d x %d depths, got %zu", frame.intrinsics.width,
                            frame.intrinsics.height, frame.depth.size())};

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "robot/core/result.h"
-#include "robot/truth/calibration/lens.h"
 #include "robot/truth/frame/depth_frame.h"
+#include "robot/truth/frame/projection.h"
 
 namespace robot::truth {
 

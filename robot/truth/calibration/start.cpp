@@ -102,7 +102,7 @@ struct Candidate {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-Candidate best_candidate(const std::vector<Sighting>& sightings, const Camera& camera,
+Candidate best_candidate(const std::vector<Sighting>& sightings, const Projection& camera,
                          const std::optional<Ground>& ground) {
   std::vector<CarpetSighting> on_carpet;
   for (const Sighting& sighting : sightings)
@@ -121,7 +121,7 @@ Candidate best_candidate(const std::vector<Sighting>& sightings, const Camera& c
 
 }  // namespace
 
-Result<View> start_view(const std::vector<Sighting>& sightings, const Camera& camera,
+Result<View> start_view(const std::vector<Sighting>& sightings, const Projection& camera,
                         const std::optional<Ground>& ground) {
   std::vector<Sighting> mirrored = sightings;
   for (Sighting& sighting : mirrored) sighting.place.y() *= -1;

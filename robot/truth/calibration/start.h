@@ -13,7 +13,7 @@ namespace robot::truth {
 /// each from a few sightings, and returns the one that most sightings agree with. With `ground` two sightings give a pose (their rays meet the
 /// plane), otherwise four (a homography). The sensor is above the carpet. Returns an Error if no pose exists, or if the
 /// sightings fit a mirrored field far better.
-Result<View> start_view(const std::vector<Sighting>& sightings, const Camera& camera,
+Result<View> start_view(const std::vector<Sighting>& sightings, const Projection& camera,
                         const std::optional<Ground>& ground);
 
 }  // namespace robot::truth

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "robot/truth/calibration/lens.h"
+#include "robot/truth/frame/projection.h"
 #include "robot/truth/frame/sensor_pose.h"
 
 namespace robot::truth {
@@ -18,7 +18,7 @@ using ViewCovariance = Eigen::Matrix<double, kViewParameters, kViewParameters>;
 struct View {
   Eigen::Isometry3d field_from_sensor = Eigen::Isometry3d::Identity();
   double depth_scale = 1;  // true depth / measured depth
-  Camera camera;
+  Projection camera;
 
   /// Returns the view after a small step of its parameters.
   View moved(const ViewStep& step) const;

@@ -23,14 +23,16 @@ struct Bundle {
   double widest = 0;                                 // [rad²] largest second moment
 };
 
-Bundle bundle_of(const Spot& spot, const Camera& camera) {
+/// Returns nothing if the lens does not show a pixel of the spot.
+std::optional<Bundle> bundle_of(const Spot& spot, const Camera& camera) {
   Bundle bundle;
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  const Intrinsics& intrinsics = camera.lens.intrinsics;
+  const Intrinsics& intrinsics = camera.projection.intrinsics;
   for (const Eigen::Vector2d& pixel : spot) {
-    const Eigen::Vector3d ray = camera.lens.ray(pixel);
-    const double slant = 1 / ray.norm();  // cosine of the angle to the optical axis
-    const Eigen::Vector3d way = camera.field_from_camera.linear() * (slant * ray);
+    const auto ray = camera.projection.ray(pixel);
+    if (!ray) return std::nullopt;
+    const double slant = 1 / ray->norm();  // cosine of the angle to the optical axis
+    const Eigen::Vector3d way = camera.field_from_camera.linear() * (slant * *ray);
     bundle.solid_angle += slant * slant * slant / (intrinsics.focal_x * intrinsics.focal_y);
     bundle.middle += way;
     moments += way * way.transpose();
@@ -60,22 +62,23 @@ Eigen::Matrix2d plane_covariance(const Eigen::Vector3d& way, double distance, do
 }
 
 std::optional<Candidate> candidate_of(const Spot& spot, const Camera& camera, double radius) {
-  const Bundle bundle = bundle_of(spot, camera);
-  const Eigen::Vector3d from = camera.field_from_camera.translation(), way = bundle.middle;
+  const auto bundle = bundle_of(spot, camera);
+  if (!bundle) return std::nullopt;
+  const Eigen::Vector3d from = camera.field_from_camera.translation(), way = bundle->middle;
   if (way.z() > -0.05) return std::nullopt;
   const double distance = (radius - from.z()) / way.z();
   if (distance <= radius) return std::nullopt;
   const double half_angle = std::asin(radius / distance);
-  const double visible = bundle.solid_angle / (2 * std::numbers::pi * (1 - std::cos(half_angle)));
+  const double visible = bundle->solid_angle / (2 * std::numbers::pi * (1 - std::cos(half_angle)));
   // the second moment of a disc is a quarter of its squared radius
-  const double width = bundle.widest / (half_angle * half_angle / 4);
+  const double width = bundle->widest / (half_angle * half_angle / 4);
   if (visible < kLeastVisible || visible > kMostVisible || width > kMostWidth) return std::nullopt;
 
   Candidate candidate{.ball = {}, .visible = visible};
   candidate.ball.place.position = (from + distance * way).head<2>();
   // the middle of a partly hidden disc lies off its centre by at most about the hidden share of its radius
   const double hidden = std::max(0.0, 0.9 - visible) * half_angle;
-  const double angle = std::hypot(kMiddleDeviation / camera.lens.intrinsics.focal_x, hidden);
+  const double angle = std::hypot(kMiddleDeviation / camera.projection.intrinsics.focal_x, hidden);
   candidate.ball.place.covariance = plane_covariance(way, distance, angle);
   return candidate;
 }

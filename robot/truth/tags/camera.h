@@ -4,17 +4,14 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "robot/truth/tags/lens.h"
+#include "robot/truth/frame/projection.h"
 
 namespace robot::truth::tags {
 
-/// A lens and its place. Frame `field` as in robot/truth/frame/sensor_pose.h; pixels as in depth_frame.h.
+/// A camera's projection and its place. Frame `field` as in robot/truth/frame/sensor_pose.h; pixels as in depth_frame.h.
 struct Camera {
-  Lens lens;
+  Projection projection;
   Eigen::Isometry3d field_from_camera = Eigen::Isometry3d::Identity();
-
-  /// Returns the direction of a pixel's ray, of length 1 [field].
-  Eigen::Vector3d direction(const Eigen::Vector2d& pixel) const;
 
   /// Returns the point that a pixel shows if it is `height` [m] above the carpet, or nothing if the ray does not go there.
   std::optional<Eigen::Vector2d> on_plane(const Eigen::Vector2d& pixel, double height) const;

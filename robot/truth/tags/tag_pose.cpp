@@ -129,12 +129,13 @@ std::optional<Eigen::Isometry3d> homography_pose(const Problem& problem) {
   Eigen::Matrix<double, 8, 1> seen;
   const auto print = corners_of_print(problem.edge);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Vector3d ray = problem.camera.lens.ray(problem.corners[i]);
+    const auto ray = problem.camera.projection.ray(problem.corners[i]);
+    if (!ray) return std::nullopt;
     const double x = print[i].x(), y = print[i].y();
     const auto row = static_cast<Eigen::Index>(2 * i);
-    equations.row(row) << x, y, 1, 0, 0, 0, -ray.x() * x, -ray.x() * y;
-    equations.row(row + 1) << 0, 0, 0, x, y, 1, -ray.y() * x, -ray.y() * y;
-    seen.segment<2>(row) = ray.head<2>();
+    equations.row(row) << x, y, 1, 0, 0, 0, -ray->x() * x, -ray->x() * y;
+    equations.row(row + 1) << 0, 0, 0, x, y, 1, -ray->y() * x, -ray->y() * y;
+    seen.segment<2>(row) = ray->head<2>();
   }
   const Eigen::Matrix<double, 8, 1> h = equations.partialPivLu().solve(seen);
   if (!h.allFinite()) return std::nullopt;

@@ -18,7 +18,7 @@ TagWatcher::TagWatcher(Camera camera, TagPlan plan, BallLook ball, TagDetector d
     : camera_(std::move(camera)), plan_(std::move(plan)), ball_(ball), detector_(std::move(detector)) {}
 
 Result<Detections> TagWatcher::look(const Picture& picture) {
-  const Intrinsics& expected = camera_.lens.intrinsics;
+  const Intrinsics& expected = camera_.projection.intrinsics;
   if (picture.size != PictureSize{expected.width, expected.height})
     return Error{formatted("picture: expected the calibration's size %dx%d, got %dx%d", expected.width, expected.height,
                            picture.size.width, picture.size.height)};

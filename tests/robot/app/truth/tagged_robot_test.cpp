@@ -38,7 +38,7 @@ void write_pictures(const std::filesystem::path& folder, int count) {
 
 PlacedSensor placed() {
   PlacedSensor sensor;
-  sensor.pose.intrinsics = small_camera().lens.intrinsics;
+  sensor.pose.intrinsics = small_camera().projection.intrinsics;
   sensor.pose.field_from_sensor = small_camera().field_from_camera;
   return sensor;
 }

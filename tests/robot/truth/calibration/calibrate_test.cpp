@@ -15,7 +15,7 @@ using Clicks = std::vector<Click>;
 struct Lab {
   GroundScene scene = tests::mast_scene();
   std::vector<Landmark> landmarks = landmarks_of(scene.field);
-  Camera camera{scene.intrinsics, {}};
+  Projection camera{scene.intrinsics, {}};
   DepthFrame image = scene.depth_image(nullptr);
   Ground ground = *find_ground(image, {}, {});
 
@@ -67,8 +67,8 @@ TEST(Calibrate, NeedsNoDepthImage) {
 }
 
 TEST(Calibrate, FindsFocalLengthAndDistortionOfAColourCamera) {
-  Camera camera{{.width = 1280, .height = 960, .focal_x = 800, .focal_y = 800, .centre_x = 640, .centre_y = 480},
-                {.k1 = -0.12}};
+  Projection camera{{.width = 1280, .height = 960, .focal_x = 800, .focal_y = 800, .centre_x = 640, .centre_y = 480},
+                    {.k1 = -0.12}};
   const Eigen::Isometry3d field_from_camera = robot::truth::looking({-1, -3.5, 2.6}, {0, 0.4, 0}).field_from_sensor;
   Clicks clicks;
   for (const Landmark& landmark : lab().landmarks) {

@@ -12,7 +12,7 @@ namespace {
 /// Exact sightings of a camera with a lens, and a start some degrees and centimetres beside its pose.
 struct Sighted {
   tests::GroundScene scene = tests::mast_scene();
-  Camera camera{scene.intrinsics, {.k1 = -0.1}};
+  Projection camera{scene.intrinsics, {.k1 = -0.1}};
   std::vector<Sighting> sightings;
 
   Sighted() {
@@ -21,7 +21,7 @@ struct Sighted {
       if (camera.shows(seen)) sightings.push_back({landmark.position, camera.pixel(seen)});
     }
   }
-  View start(const Camera& known) const {
+  View start(const Projection& known) const {
     const View exact{.field_from_sensor = scene.field_from_sensor, .camera = known};
     return exact.moved((ViewStep() << 0.03, -0.02, 0.04, 0.1, -0.1, 0.05, 0, 0, 0).finished());
   }
@@ -39,7 +39,7 @@ TEST(Fit, OfExactSightingsIsExact) {
 
 TEST(Fit, FindsTheFocalLengthAndTheDistortionThatAreFree) {
   const Sighted sighted;
-  Camera known = sighted.camera;
+  Projection known = sighted.camera;
   known.intrinsics.focal_x *= 1.08;
   known.intrinsics.focal_y *= 1.08;
   known.lens.k1 = 0;

@@ -15,7 +15,7 @@ using Clicks = std::vector<Click>;
 struct RefusalLab {
   tests::GroundScene scene = tests::mast_scene();
   std::vector<Landmark> landmarks = landmarks_of(scene.field);
-  Camera camera{scene.intrinsics, {}};
+  Projection camera{scene.intrinsics, {}};
   DepthFrame image = scene.depth_image(nullptr);
   Ground ground = *find_ground(image, {}, {});
 
@@ -73,7 +73,7 @@ TEST(Refusal, OfClicksThatCannotBe) {
             "clicks: 'corner +x +y' must be in the picture of 640 x 480 px, got (641, 3.5)");
   clicks[0].x = std::nan("");
   EXPECT_NE(refusal_lab().sentence(clicks), "");
-  const Camera bent{refusal_lab().scene.intrinsics, {.k1 = -1.5}};
+  const Projection bent{refusal_lab().scene.intrinsics, {.k1 = -1.5}};
   EXPECT_EQ(calibrate(refusal_lab().landmarks, {{"centre mark", 1, 2}}, bent, std::nullopt).error(),
             "clicks: 'centre mark' is at (1, 2), where the lens shows nothing");
   EXPECT_EQ(refusal_lab().sentence(refusal_lab().clicks(), {.click_deviation = 0}),

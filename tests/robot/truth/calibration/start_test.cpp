@@ -10,7 +10,7 @@ namespace {
 /// Sightings of a scene without noise, and its ground.
 struct Exact {
   tests::GroundScene scene = tests::mast_scene();
-  Camera camera{scene.intrinsics, {}};
+  Projection camera{scene.intrinsics, {}};
   std::vector<Sighting> sightings;
   Ground ground{.normal = scene.field_from_sensor.linear().row(2).transpose(),
                 .height = scene.field_from_sensor.translation().z()};

@@ -26,8 +26,8 @@ constexpr double kEdge = 0.14, kHeight = 0.5;
 
 Camera slanting_camera() {
   Camera camera = camera_above({-1, -1.5, 2.8}, {0, 0}, {1280, 720}, 700);
-  camera.lens.k1 = -0.1;
-  camera.lens.p1 = 0.001;
+  camera.projection.lens.k1 = -0.1;
+  camera.projection.lens.p1 = 0.001;
   return camera;
 }
 

@@ -1,4 +1,4 @@
-#include "robot/truth/calibration/lens.h"
+#include "robot/truth/frame/projection.h"
 
 #include <Eigen/LU>
 
@@ -43,19 +43,19 @@ std::optional<Eigen::Vector2d> undistort(const Lens& lens, const Eigen::Vector2d
   return std::nullopt;
 }
 
-std::optional<Eigen::Vector3d> Camera::ray(const Eigen::Vector2d& pixel) const {
+std::optional<Eigen::Vector3d> Projection::ray(const Eigen::Vector2d& pixel) const {
   const auto straight = undistort(lens, {(pixel.x() - intrinsics.centre_x) / intrinsics.focal_x,
                                          (pixel.y() - intrinsics.centre_y) / intrinsics.focal_y});
   if (!straight) return std::nullopt;
   return Eigen::Vector3d(straight->x(), straight->y(), 1);
 }
 
-Eigen::Vector2d Camera::pixel(const Eigen::Vector3d& point) const {
+Eigen::Vector2d Projection::pixel(const Eigen::Vector3d& point) const {
   const Eigen::Vector2d seen = distort(lens, point.head<2>() / point.z());
   return {intrinsics.centre_x + intrinsics.focal_x * seen.x(), intrinsics.centre_y + intrinsics.focal_y * seen.y()};
 }
 
-bool Camera::shows(const Eigen::Vector3d& point) const {
+bool Projection::shows(const Eigen::Vector3d& point) const {
   if (!(point.z() > 0)) return false;
   const Eigen::Vector2d place = pixel(point);
   if (!(place.x() >= 0 && place.x() <= intrinsics.width && place.y() >= 0 && place.y() <= intrinsics.height))

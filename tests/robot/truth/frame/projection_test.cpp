@@ -1,4 +1,4 @@
-#include "robot/truth/calibration/lens.h"
+#include "robot/truth/frame/projection.h"
 
 #include <gtest/gtest.h>
 
@@ -37,8 +37,8 @@ TEST(Lens, HasNoRayBeyondItsGreatestRadius) {
   EXPECT_FALSE(undistort(lens, {1e6, -1e6}));
 }
 
-TEST(Camera, HasARayForEachPixelAndThePixelForEachRay) {
-  const Camera camera{{.focal_x = 500, .focal_y = 510, .centre_x = 310, .centre_y = 250}, kBarrel};
+TEST(Projection, HasARayForEachPixelAndThePixelForEachRay) {
+  const Projection camera{{.focal_x = 500, .focal_y = 510, .centre_x = 310, .centre_y = 250}, kBarrel};
   for (double x = 0; x <= 640; x += 80)
     for (double y = 0; y <= 480; y += 80) {
       const auto ray = camera.ray({x, y});
@@ -49,13 +49,19 @@ TEST(Camera, HasARayForEachPixelAndThePixelForEachRay) {
     }
 }
 
-TEST(Camera, ShowsNothingBehindItNorBesideThePicture) {
-  const Camera straight{{}, {}};
+TEST(Projection, WithoutALensIsAPinhole) {
+  const Projection camera{{.focal_x = 700, .focal_y = 710, .centre_x = 640, .centre_y = 360}, {}};
+  EXPECT_TRUE(camera.ray({640, 360})->isApprox(Eigen::Vector3d(0, 0, 1)));
+  EXPECT_TRUE(camera.pixel({0.5, -0.25, 2}).isApprox(Eigen::Vector2d(640 + 175, 360 - 88.75)));
+}
+
+TEST(Projection, ShowsNothingBehindItNorBesideThePicture) {
+  const Projection straight{{}, {}};
   EXPECT_TRUE(straight.shows({0, 0, 1}));
   EXPECT_FALSE(straight.shows({0, 0, -1}));
   EXPECT_FALSE(straight.shows({0.6, 0, 1}));
   // the model brings this ray back into the picture, the lens does not
-  const Camera folded{{}, {.k1 = -0.3}};
+  const Projection folded{{}, {.k1 = -0.3}};
   EXPECT_FALSE(folded.shows({1.7, 0, 1}));
 }
 

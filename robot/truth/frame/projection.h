@@ -23,7 +23,7 @@ Eigen::Vector2d distort(const Lens& lens, const Eigen::Vector2d& straight);
 std::optional<Eigen::Vector2d> undistort(const Lens& lens, const Eigen::Vector2d& seen);
 
 /// A pinhole with a lens. Frame `sensor` as in depth_frame.h.
-struct Camera {
+struct Projection {
   Intrinsics intrinsics;
   Lens lens;
 
