@@ -7,6 +7,7 @@ import { drawTruth, withSensors } from "./draw_truth";
 import { cameraFor, kFields } from "./field";
 import { matrixOf, orbitOver } from "./orbit";
 import { fitOf } from "./overlay";
+import { kLiveries, kUnknownLivery } from "./robot_sign";
 import { kUncalibrated, opticsIn } from "./sensor_optics";
 import { testPen } from "./test_pen";
 
@@ -26,15 +27,27 @@ const kOptics = opticsIn(
   { width: 640, height: 480, focal: { x: 500, y: 500 }, centre: { x: 320, y: 240 } },
   kUncalibrated,
 );
+const liveryOf = ({ name }: { name: string }) => (name ? kLiveries.away : kUnknownLivery);
 const texts = (pen: ReturnType<typeof testPen>) => [...new Set(pen.texts.map(({ text }) => text))].filter(Boolean);
 
 test("robots have their player's number or track, and only moving things have arrows", () => {
   const [pen, still] = [testPen(), testPen()];
   const robots = kTruth.robots.map((robot) => ({ ...robot, velocity: undefined }));
-  drawTruth(pen, kCamera, { field: kField, truth: kTruth, real: undefined, sensors: [] });
-  drawTruth(still, kCamera, { field: kField, truth: { ...kTruth, robots }, real: undefined, sensors: [] });
+  const rest = { field: kField, real: undefined, sensors: [], liveryOf };
+  drawTruth(pen, kCamera, { ...rest, truth: kTruth });
+  drawTruth(still, kCamera, { ...rest, truth: { ...kTruth, robots } });
   expect(texts(pen)).toEqual(["#3", "2"]);
   expect(pen.points.length).toBe(still.points.length + 5); // a line and two barbs
+});
+
+test("robots have the colours and shapes of their sides, and unknown ones their own", () => {
+  const pen = testPen();
+  drawTruth(pen, kCamera, { field: kField, truth: kTruth, real: undefined, sensors: [], liveryOf });
+  const radius = kCamera.scale * 0.15;
+  const discs = pen.circles.filter((circle) => circle.filled && Math.abs(circle.radius - radius) < 1e-9);
+  expect(discs.map(({ style }) => style)).toEqual([kUnknownLivery.colour]);
+  const squares = pen.polygons.filter(({ filled }) => filled);
+  expect(squares.map(({ style, corners }) => [style, corners.length])).toEqual([[kLiveries.away.colour, 4]]);
 });
 
 test("without a truth the field is drawn, with its sensors and their numbers", () => {
@@ -44,6 +57,7 @@ test("without a truth the field is drawn, with its sensors and their numbers", (
     truth: undefined,
     real: undefined,
     sensors: [{ number: 4, optics: kOptics, chosen: true }],
+    liveryOf,
   });
   expect(texts(pen)).toEqual(["4"]);
   expect(pen.polygons.filter(({ filled }) => filled)).toHaveLength(2);

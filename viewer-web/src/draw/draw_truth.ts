@@ -27,11 +27,11 @@ import {
   ahead,
   drawFallen,
   drawOutlined,
+  fillBody,
   kBright,
   kInk,
-  kLiveries,
   kRobotRadius,
-  kUnknownLivery,
+  strokeBody,
   strokeHeading,
   type Livery,
 } from "./robot_sign";
@@ -48,6 +48,7 @@ export interface TruthDrawing {
   /** True positions of a synthetic scene. */
   real: Truth | undefined;
   sensors: SeenSensor[];
+  liveryOf(robot: TrueThing): Livery;
 }
 
 const kDeviations = 3; // drawn of a position's error: the thing is inside in 99 of 100 cases
@@ -79,11 +80,10 @@ export function withSensors(field: Field, sensors: SeenSensor[]): Field {
   };
 }
 
-export function drawTruth(pen: Pen, camera: Camera, { field, truth, real, sensors }: TruthDrawing): void {
+export function drawTruth(pen: Pen, camera: Camera, { field, truth, real, sensors, liveryOf }: TruthDrawing): void {
   drawField(pen, camera, field);
   for (const sensor of sensors) drawFootprint(pen, camera, sensor);
-  const teams = [...new Set((truth?.robots ?? []).map(teamOf))].filter(Boolean).sort();
-  for (const robot of truth?.robots ?? []) drawRobot(pen, camera, robot, liveryOf(teams, robot));
+  for (const robot of truth?.robots ?? []) drawRobot(pen, camera, robot, liveryOf(robot));
   if (truth?.ball) drawBall(pen, camera, truth.ball);
   for (const thing of thingsOf(truth)) drawMotion(pen, camera, thing);
   drawReal(pen, camera, truth, real);
@@ -95,12 +95,6 @@ const thingsOf = (truth: Truth | undefined): TrueThing[] => [
   ...(truth?.robots ?? []),
   ...(truth?.ball ? [truth.ball] : []),
 ];
-const teamOf = ({ name }: TrueThing): string => name.split("/")[0]!;
-
-function liveryOf(teams: string[], robot: TrueThing): Livery {
-  if (!robot.name) return kUnknownLivery;
-  return teamOf(robot) === teams[0] ? kLiveries.home : kLiveries.away;
-}
 
 function style(pen: Pen, colour: string, width: number, alpha = 1): void {
   pen.strokeStyle = colour;
@@ -110,9 +104,9 @@ function style(pen: Pen, colour: string, width: number, alpha = 1): void {
 
 function drawRobot(pen: Pen, camera: Camera, robot: TrueThing, livery: Livery): void {
   pen.globalAlpha = 1;
-  fillCircle(pen, camera, robot, kRobotRadius, livery.colour);
+  fillBody(pen, camera, robot, livery);
   style(pen, kInk, 1.5);
-  strokeCircle(pen, camera, robot, kRobotRadius);
+  strokeBody(pen, camera, robot, livery);
   style(pen, livery.colour, 3);
   strokeHeading(pen, camera, robot);
   const above = -(kRobotRadius * camera.scale + 10);

@@ -52,6 +52,11 @@ export class Pane {
     return this.viewer.focused === this;
   }
 
+  /** All servers with their robots, `first` before the others. */
+  toldBy(first: Server): Told[] {
+    return this.viewer.toldBy(first);
+  }
+
   /** The field of the game, and who says so. */
   knownField(): KnownField {
     return knownField(this.told, this.get("field"));
