@@ -15,8 +15,8 @@ export interface Gestures {
   shifted?(by: Point): void;
   zoomed(at: Point, factor: number): void;
   tapped?(at: Point): void;
-  /** After a press, tapped or not. */
-  released?(): void;
+  /** The last pointer of a press was lifted, or the browser took one of them: `cancelled`. */
+  released?(cancelled: boolean): void;
   hovered?(at: Point | undefined): void;
 }
 
@@ -24,6 +24,7 @@ export interface Gestures {
 export const gestures = (act: Gestures) => (canvas: HTMLCanvasElement) => {
   const down = new Map<number, Point>();
   let way = 0; // [px] since the press
+  let cancelled = false; // since the press
   let linger: ReturnType<typeof setTimeout>;
   const placeOf = ({ clientX, clientY }: MouseEvent): Point => {
     const box = canvas.getBoundingClientRect();
@@ -37,6 +38,7 @@ export const gestures = (act: Gestures) => (canvas: HTMLCanvasElement) => {
   function press(event: PointerEvent) {
     canvas.setPointerCapture(event.pointerId);
     const at = placeOf(event);
+    if (down.size === 0) cancelled = false;
     down.set(event.pointerId, at);
     way = down.size > 1 ? kStill : 0;
     hover(at);
@@ -59,9 +61,11 @@ export const gestures = (act: Gestures) => (canvas: HTMLCanvasElement) => {
   }
   function release(event: PointerEvent) {
     if (!down.delete(event.pointerId)) return;
+    cancelled ||= event.type === "pointercancel";
+    clearTimeout(linger);
     if (event.pointerType !== "mouse") linger = setTimeout(() => act.hovered?.(undefined), kLinger_ms);
     if (way < kStill && event.type === "pointerup") act.tapped?.(placeOf(event));
-    if (down.size === 0) act.released?.();
+    if (down.size === 0) act.released?.(cancelled);
   }
   function leave(event: PointerEvent) {
     if (event.pointerType === "mouse" && down.size === 0) hover(undefined);
