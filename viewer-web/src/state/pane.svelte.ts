@@ -57,9 +57,9 @@ export class Pane {
     return this.viewer.toldBy(first);
   }
 
-  /** The field of the game, and who says so. */
-  knownField(): KnownField {
-    return knownField(this.told, this.get("field"));
+  /** The field of the game that `first` shows, and who says so. */
+  knownField(first: Server = this.server): KnownField {
+    return knownField(first === this.server ? this.told : this.toldBy(first), this.get("field"));
   }
 
   /** A setting of this pane, or of the whole page. */

@@ -87,6 +87,17 @@ test("the field is that of the game, else the one that the person chose", () => 
   expect(second.knownField()).toEqual({ from: "chosen", field: kFields["spl2012"] });
 });
 
+test("the field can be that of another server", () => {
+  const [first] = openTwo("field");
+  const other = viewer.servers[1]!;
+  const rules = { name: "lab", capabilities: [], metadata: { rules: "spl2012" } };
+  const own = { name: "robot", capabilities: [], metadata: { rules: "hsl2026" } };
+  ownServer().introduced(own, true, false);
+  other.introduced(rules, true, false);
+  expect(first.knownField(other)).toEqual({ from: "reported", field: kFields["spl2012"] });
+  expect(first.knownField()).toEqual({ from: "reported", field: kFields["hsl2026"] });
+});
+
 test("it chooses a view of its own, and a robot for the whole page unless it has its own", () => {
   const [first, second] = openTwo("log");
   second.go({ view: "health" });
