@@ -10,9 +10,33 @@ import {
   type SensorPicture,
 } from "../draw/depth_picture";
 import type { Point } from "../draw/field";
+import type { Decoded } from "../memory/decoder";
 import type { Entry } from "../memory/history";
 import type { MemoryObject } from "../memory/memory_object";
 import type { foxglove_RawImage } from "../memory/schema";
+
+export interface ReadPicture {
+  /** Undefined without an image that can be drawn. */
+  picture: SensorPicture | undefined;
+  /** The reason why the image cannot be drawn, or "". */
+  problem: string;
+}
+
+const pictures = new WeakMap<Entry, ReadPicture>();
+
+/** Reads the shown image of `object`, once for all views. */
+export function readPicture(object: MemoryObject<foxglove_RawImage> | undefined): ReadPicture {
+  const entry = object?.shown;
+  if (!object || !entry) return { picture: undefined, problem: "" };
+  const known = pictures.get(entry) ?? pictureIn(object.decoded()!);
+  pictures.set(entry, known);
+  return known;
+}
+
+function pictureIn({ fields, error }: Decoded<foxglove_RawImage>): ReadPicture {
+  const picture = fields ? sensorPictureOf(fields) : { kind: "none" as const, why: error };
+  return picture.kind === "none" ? { picture: undefined, problem: picture.why } : { picture, problem: "" };
+}
 
 export class SensorImage {
   readonly canvas = document.createElement("canvas");
@@ -32,10 +56,7 @@ export class SensorImage {
     const entry = object?.shown;
     if (entry === this.#taken) return;
     this.#taken = entry;
-    const decoded = object?.decoded();
-    const read = decoded?.fields ? sensorPictureOf(decoded.fields) : undefined;
-    this.problem = read?.kind === "none" ? read.why : (decoded?.error ?? "");
-    this.picture = read && read.kind !== "none" ? read : undefined;
+    ({ picture: this.picture, problem: this.problem } = readPicture(object));
     this.shown = this.picture !== undefined;
     if (this.picture) this.#paint(this.picture);
   }
