@@ -19,6 +19,7 @@ import { Client, type Connection, type Listener, type Socket } from "../source/c
 import { livenessOf, type Liveness } from "../present/liveness";
 import { simulationOf } from "../memory/simulation";
 import { Summaries, WholeRuns } from "../memory/summaries";
+import { sensorNumbers } from "../memory/truth";
 import { fetchRecent, Recalls } from "../source/recent";
 import { ClockExchange } from "../source/clock_exchange";
 import type { PlaybackState, PlaybackWish } from "../source/frames";
@@ -102,6 +103,8 @@ export class Server implements Listener {
   #recalls: Recalls | undefined; // of a live server that remembers its last minutes
 
   robots: RobotName[] = $derived.by(() => (this.#offers, this.memory.robots(this.info?.metadata["robots"])));
+  /** The numbers of the sensors beside the field, sorted. */
+  sensors: number[] = $derived.by(() => (this.#offers, sensorNumbers(this.memory)));
   /** Such as "a simulation"; "" for a real robot. */
   body = $derived(kBodyWords[this.info?.metadata["body"] ?? ""] ?? "");
 

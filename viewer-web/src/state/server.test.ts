@@ -313,6 +313,13 @@ test("the nearest moment of many topics is asked for a few topics at a time", as
   expect(most).toBeLessThanOrEqual(32);
 });
 
+test("sensors are those of the offered topics, sorted", () => {
+  live("/truth/10/sensor", "/truth/2/sensor", "/truth/2/depth");
+  expect(server.sensors).toEqual([2, 10]);
+  server.unadvertised([channelOf("/truth/2/sensor")]);
+  expect(server.sensors).toEqual([10]);
+});
+
 test("robots, session, body and practice are those that the server tells", () => {
   expect(server.practice).toBe(false);
   server.introduced(infoOf({ metadata: { body: "sim", session: "final" } }), true, false);

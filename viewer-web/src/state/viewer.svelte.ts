@@ -4,7 +4,6 @@
 import { topicsOf, type Told } from "../draw/scene";
 import type { RobotName } from "../memory/memory_object";
 import { capsFor, Past } from "../memory/past";
-import { sensorNumbers } from "../memory/truth";
 import { addressOf, targetOfHost, type Target } from "../source/target";
 import type { Level } from "../source/texts";
 import { Dismissed, withAlert, withoutAlerts, type Alert } from "./alerts";
@@ -171,8 +170,7 @@ export class Viewer implements Speaker {
   #firstPanes(): First | undefined {
     const { server, source } = this;
     if (!server.toldAll) return undefined;
-    if (!source && sensorNumbers(server.memory).length > 0)
-      return { panes: onePane("ground-truth"), settings: new Map() };
+    if (!source && server.sensors.length > 0) return { panes: onePane("ground-truth"), settings: new Map() };
     if (!source) return undefined;
     const objects = server.objectsOf(source.robot);
     const pictures = objects.filter(({ isImage }) => isImage).map(({ channel }) => server.hasWritten(channel.topic));
