@@ -44,6 +44,9 @@ export interface Moment {
   still?: boolean;
 }
 
+/** A message of the history, decoded. */
+export type Near<M = Unknown> = Pick<Entry, "log_ns" | "arrived"> & Decoded<M>;
+
 /** `M`: the type of its messages, if it is one of ours. */
 export class MemoryObject<M = Unknown> {
   readonly robot: RobotName;
@@ -70,6 +73,7 @@ export class MemoryObject<M = Unknown> {
 
   #decoder: Decoder | undefined; // created on first use: most schemas are never needed
   #decoded: { entry: Entry; value: Decoded<M> } | undefined;
+  #near: Near<M> | undefined;
   // the last result of the search in the history
   #shown: { ns: bigint; end: number; generation: number; entry: Entry | undefined } | undefined;
 
@@ -117,6 +121,15 @@ export class MemoryObject<M = Unknown> {
     if (!entry) return undefined;
     if (this.#decoded?.entry !== entry) this.#decoded = { entry, value: this.decode(entry.data) };
     return this.#decoded.value;
+  }
+
+  /** Finds the message captured nearest to `log_ns`, at most `most_ns` away. The last one stays decoded. */
+  near(log_ns: bigint, most_ns: bigint): Near<M> | undefined {
+    const entry = this.history.near(log_ns, most_ns);
+    if (!entry) return undefined;
+    const isSame = this.#near?.log_ns === entry.log_ns && this.#near.arrived === entry.arrived;
+    if (!isSame) this.#near = { log_ns: entry.log_ns, arrived: entry.arrived, ...this.decode(entry.data) };
+    return this.#near;
   }
 
   /** Decodes any message of the object. */

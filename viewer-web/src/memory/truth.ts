@@ -18,6 +18,9 @@ import { fieldsOf, listOf, numberOf, textOf, wordOf, type Fields, type NumberIn 
 /** The true positions of a synthetic sensor's scene. */
 export const kSimulatedTruth = "/truth/simulated" satisfies WorldObject;
 
+/** Messages of one image are at most this far apart in their capture times. */
+export const kSame_ns = 40_000_000n;
+
 /** A ball or robot on the field. Frame: field. */
 export interface TrueThing {
   x: number; // [m]
