@@ -5,7 +5,7 @@ import type { Click, ErrorCell, Landmark, Residual } from "../memory/calibration
 import { fillCircle, fillPolygon, strokeCircle, toScreen, type Camera, type Pen, type Point } from "./field";
 import { toPixel, type Optics } from "./optics";
 import { orderedStyle } from "./ordered_colours";
-import { label, stroke, toCanvas, type Fit } from "./overlay";
+import { label, stroke, ticks, toCanvas, type Fit } from "./overlay";
 import { drawOutlined, kBright, kInk } from "./robot_sign";
 import { isSeen } from "./sensor_optics";
 
@@ -18,7 +18,7 @@ const kPoor = 4; // [px]
 export const gradeOf = ({ pixels, outlier }: Residual): "good" | "fair" | "poor" =>
   outlier || !(pixels <= kPoor) ? "poor" : pixels <= kGood ? "good" : "fair";
 
-export const kGradeColours = { good: "#7cc4ff", fair: "#ffd36b", poor: "#ff8a4c" };
+const kGradeColours = { good: "#7cc4ff", fair: "#ffd36b", poor: "#ff8a4c" };
 const kUnrated = "#ffffff";
 
 /** The marks of a calibration: clicks of a person, and what the server knows of them. */
@@ -125,18 +125,8 @@ export function drawClicks(pen: Pen, fit: Fit, marks: Marks, optics: Optics | un
 }
 
 /** Draws an open target, so that the pixel in its middle stays visible. */
-function drawTarget(pen: Pen, { x, y }: Point, colour: string, bold: boolean): void {
-  const [inner, outer] = bold ? [3, 13] : [3, 8];
-  for (const [dx, dy] of [
-    [1, 0],
-    [-1, 0],
-    [0, 1],
-    [0, -1],
-  ] as const)
-    stroke(pen, colour, bold ? 2 : 1.5, [
-      { x: x + inner * dx, y: y + inner * dy },
-      { x: x + outer * dx, y: y + outer * dy },
-    ]);
+function drawTarget(pen: Pen, at: Point, colour: string, bold: boolean): void {
+  ticks(pen, at, 3, bold ? 13 : 8, colour, bold ? 2 : 1.5);
 }
 
 /** Draws a diamond where a landmark without a click should be. */

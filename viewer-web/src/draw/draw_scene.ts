@@ -14,6 +14,7 @@ import {
   strokeCross,
   strokeLine,
   strokePath,
+  style,
   toScreen,
 } from "./field";
 import type { Camera, Field, Pen, Point } from "./field";
@@ -125,12 +126,6 @@ export function drawScene(
   when("intent", () => detailed.forEach((robot) => drawIntent(pen, camera, robot, isFront(robot))));
   when("names", () => inOrder.forEach((robot) => drawName(pen, camera, robot, isFront(robot))));
   pen.globalAlpha = 1;
-}
-
-function style(pen: Pen, colour: string, width: number, alpha = 1): void {
-  pen.strokeStyle = colour;
-  pen.lineWidth = width;
-  pen.globalAlpha = alpha;
 }
 
 function dashed(pen: Pen, draw: () => void): void {

@@ -1,9 +1,9 @@
 // Drawings over the image of a sensor: the field's lines by its calibration, detections, and true positions.
 
-import { labelOf, type Sensor, type Truth, type TrueThing } from "../memory/truth";
+import { labelOf, thingsIn, type Sensor, type Truth, type TrueThing } from "../memory/truth";
 import type { Field, Pen, Point } from "./field";
 import { toPixel, type Optics, type Place } from "./optics";
-import { drawFieldLines, kOverlayColours, label, stroke, toCanvas, type Fit } from "./overlay";
+import { cross, drawFieldLines, kOverlayColours, label, stroke, toCanvas, type Fit } from "./overlay";
 import { kRobotRadius } from "./robot_sign";
 
 const kHeight = 0.58; // [m] of a standing Nao
@@ -30,8 +30,10 @@ export function drawOverSensor(pen: Pen, fit: Fit, { optics, field, lines, found
     for (const robot of found.robots) drawRobot(pen, fit, optics, robot);
     if (found.ball) drawBall(pen, fit, optics, found.ball);
   }
-  for (const thing of [...(real?.robots ?? []), ...(real?.ball ? [real.ball] : [])])
-    drawReal(pen, fit, toPixel(optics, onGround(thing)));
+  for (const thing of thingsIn(real)) {
+    const pixel = toPixel(optics, onGround(thing));
+    if (pixel) cross(pen, toCanvas(fit, pixel), 5, kRealColour);
+  }
   pen.globalAlpha = 1;
 }
 
@@ -75,14 +77,4 @@ function drawBall(pen: Pen, fit: Fit, optics: Optics, ball: TrueThing): void {
   }));
   stroke(pen, kBallColour, 2.5, ring, true);
   label(pen, fit, "ball", { x: x + radius + 5, y }, kBallColour, x - radius - 5);
-}
-
-function drawReal(pen: Pen, fit: Fit, pixel: Point | undefined): void {
-  if (!pixel) return;
-  const { x, y } = toCanvas(fit, pixel);
-  for (const side of [-1, 1])
-    stroke(pen, kRealColour, 2, [
-      { x: x - 5, y: y - 5 * side },
-      { x: x + 5, y: y + 5 * side },
-    ]);
 }

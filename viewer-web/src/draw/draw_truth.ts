@@ -2,7 +2,7 @@
 // ground that they see.
 
 import { pairsOf } from "../memory/truth_errors";
-import { labelOf, type Truth, type TrueThing } from "../memory/truth";
+import { labelOf, thingsIn, type Truth, type TrueThing } from "../memory/truth";
 import { axesOf } from "./beliefs";
 import {
   drawField,
@@ -14,6 +14,7 @@ import {
   strokeEllipse,
   strokeLine,
   strokePolygon,
+  style,
   toScreen,
   type Camera,
   type Field,
@@ -85,21 +86,10 @@ export function drawTruth(pen: Pen, camera: Camera, { field, truth, real, sensor
   for (const sensor of sensors) drawFootprint(pen, camera, sensor);
   for (const robot of truth?.robots ?? []) drawRobot(pen, camera, robot, liveryOf(robot));
   if (truth?.ball) drawBall(pen, camera, truth.ball);
-  for (const thing of thingsOf(truth)) drawMotion(pen, camera, thing);
+  for (const thing of thingsIn(truth)) drawMotion(pen, camera, thing);
   drawReal(pen, camera, truth, real);
   for (const sensor of sensors) drawSensor(pen, camera, sensor);
   pen.globalAlpha = 1;
-}
-
-const thingsOf = (truth: Truth | undefined): TrueThing[] => [
-  ...(truth?.robots ?? []),
-  ...(truth?.ball ? [truth.ball] : []),
-];
-
-function style(pen: Pen, colour: string, width: number, alpha = 1): void {
-  pen.strokeStyle = colour;
-  pen.lineWidth = width;
-  pen.globalAlpha = alpha;
 }
 
 function drawRobot(pen: Pen, camera: Camera, robot: TrueThing, livery: Livery): void {
@@ -148,7 +138,7 @@ function drawReal(pen: Pen, camera: Camera, truth: Truth | undefined, real: Trut
   ];
   style(pen, kRealColour, 1.5, 0.9);
   for (const pair of pairs) strokeLine(pen, camera, pair.found, pair.real);
-  for (const thing of thingsOf(real)) {
+  for (const thing of thingsIn(real)) {
     style(pen, kInk, 4, 0.6);
     strokeCross(pen, camera, thing, kArm);
     style(pen, kRealColour, 2);

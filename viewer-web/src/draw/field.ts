@@ -169,6 +169,13 @@ function drawGoals(pen: Pen, camera: Camera, { length, goalWidth, goalDepth }: F
   }
 }
 
+/** Sets the style of lines. */
+export function style(pen: Pen, colour: string, width: number, alpha = 1): void {
+  pen.strokeStyle = colour;
+  pen.lineWidth = width;
+  pen.globalAlpha = alpha;
+}
+
 function polygon(pen: Pen, camera: Camera, corners: Point[]): void {
   trace(pen, camera, corners);
   pen.closePath();

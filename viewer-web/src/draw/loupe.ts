@@ -1,7 +1,7 @@
 // A magnifier over an image, which shows single pixels for a precise click.
 
 import type { Pen, Point } from "./field";
-import { stroke, type Fit } from "./overlay";
+import { ticks, type Fit } from "./overlay";
 
 const kSize = 136; // [px of the page]
 export const kLoupeScale = 8; // [px of the page / px of the image]
@@ -49,25 +49,11 @@ export function drawLoupe(
   pen.imageSmoothingEnabled = false;
   pen.drawImage(image, fit.left, fit.top, kLoupeScale * image.width, kLoupeScale * image.height);
   over(fit);
-  drawHair(pen, { x: left + kSize / 2, y: top + kSize / 2 });
+  ticks(pen, { x: left + kSize / 2, y: top + kSize / 2 }, 5, 30, "#ffffff", 1);
   pen.restore();
   pen.strokeStyle = "#ffffff";
   pen.lineWidth = 1.5;
   pen.globalAlpha = 0.9;
   pen.strokeRect(left, top, kSize, kSize);
   pen.globalAlpha = 1;
-}
-
-/** Draws a cross with an open middle. */
-function drawHair(pen: Pen, { x, y }: Point): void {
-  for (const [dx, dy] of [
-    [1, 0],
-    [-1, 0],
-    [0, 1],
-    [0, -1],
-  ] as const)
-    stroke(pen, "#ffffff", 1, [
-      { x: x + 5 * dx, y: y + 5 * dy },
-      { x: x + 30 * dx, y: y + 30 * dy },
-    ]);
 }

@@ -80,6 +80,29 @@ export function stroke(pen: Pen, colour: string, width: number, points: Point[],
   strokeAll(pen, colour, width, [points], closed);
 }
 
+/** Draws a diagonal cross whose arms reach `arm` [px] along each axis. */
+export function cross(pen: Pen, { x, y }: Point, arm: number, colour: string): void {
+  for (const side of [1, -1])
+    stroke(pen, colour, 2, [
+      { x: x - arm, y: y - side * arm },
+      { x: x + arm, y: y + side * arm },
+    ]);
+}
+
+/** Draws four lines around a place, from `inner` to `outer` [px] away, so that its middle stays visible. */
+export function ticks(pen: Pen, { x, y }: Point, inner: number, outer: number, colour: string, width: number): void {
+  for (const [dx, dy] of [
+    [1, 0],
+    [-1, 0],
+    [0, 1],
+    [0, -1],
+  ] as const)
+    stroke(pen, colour, width, [
+      { x: x + inner * dx, y: y + inner * dy },
+      { x: x + outer * dx, y: y + outer * dy },
+    ]);
+}
+
 /** Draws several lines at once, which is much quicker than one after the other. */
 function strokeAll(pen: Pen, colour: string, width: number, lines: Point[][], closed = false): void {
   for (const [style, wide, alpha] of [
@@ -245,14 +268,7 @@ const away = (detection: Fields<Detection>): string => {
 
 function drawSpot(pen: Pen, fit: Fit, entry: Fields<{ detection?: Detection }>, word: string): void {
   const { x, y } = toCanvas(fit, centreOf(fieldsOf(entry, "detection")));
-  stroke(pen, kOverlayColours.corner, 2, [
-    { x: x - 6, y: y - 6 },
-    { x: x + 6, y: y + 6 },
-  ]);
-  stroke(pen, kOverlayColours.corner, 2, [
-    { x: x - 6, y: y + 6 },
-    { x: x + 6, y: y - 6 },
-  ]);
+  cross(pen, { x, y }, 6, kOverlayColours.corner);
   label(pen, fit, word, { x: x + 9, y }, kOverlayColours.corner, x - 9);
 }
 

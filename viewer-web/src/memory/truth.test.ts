@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { memoryWith } from "./test_memory";
-import { labelOf, sensorNumbers, sensorOf, truthOf } from "./truth";
+import { labelOf, sensorNumbers, sensorOf, thingsIn, truthOf } from "./truth";
 import { EnumValue, type Value } from "./value";
 
 const fields = (entries: Record<string, Value>) => new Map(Object.entries(entries));
@@ -29,6 +29,13 @@ test("a thing is labelled with its player's number, else with its track", () => 
   expect(label({ team: 14, player: 2, track: 9 })).toBe("2");
   expect(label({ track: 9 })).toBe("#9");
   expect(label({})).toBe("");
+});
+
+test("the things of a truth are its robots, then the ball", () => {
+  const [robot, ball] = [fields({ x: 1, y: 2 }), fields({ x: 3, y: 4 })];
+  expect(thingsIn(truthOf(fields({ robots: [robot], ball }))).map(({ x }) => x)).toEqual([1, 3]);
+  expect(thingsIn(truthOf(fields({ robots: [robot] }))).map(({ x }) => x)).toEqual([1]);
+  expect(thingsIn(undefined)).toEqual([]);
 });
 
 test("sensors are found by their topics, sorted by number", () => {

@@ -56,6 +56,12 @@ export function truthOf(fields: Fields<GroundTruth>): Truth {
   };
 }
 
+/** Returns the robots and the ball. */
+export const thingsIn = (truth: Truth | undefined): TrueThing[] => [
+  ...(truth?.robots ?? []),
+  ...(truth?.ball ? [truth.ball] : []),
+];
+
 type AnyThing = GroundTruth_TrueRobot & GroundTruth_TrueBall;
 
 const thingsOf = (robots: Fields<GroundTruth_TrueRobot>[]): TrueThing[] =>
