@@ -227,7 +227,7 @@ function groundOf(gl: WebGL2RenderingContext, program: WebGLProgram) {
 }
 
 /** Both ends of each line of a grid of one metre over the carpet. */
-export function gridOf({ length, width, border }: Field): { x: number; y: number }[] {
+function gridOf({ length, width, border }: Field): { x: number; y: number }[] {
   const [right, top] = [Math.ceil(length / 2 + border), Math.ceil(width / 2 + border)];
   const along = Array.from({ length: 2 * right + 1 }, (_, i) => i - right);
   const across = Array.from({ length: 2 * top + 1 }, (_, i) => i - top);

@@ -12,7 +12,7 @@ const kMostChroma = 0.17;
 type Colour = [red: number, green: number, blue: number]; // 0 .. 1
 
 /** Returns the lightness of the colour of a share. */
-export const lightnessAt = (share: number): number => kDarkest + (kLightest - kDarkest) * clamped(share);
+const lightnessAt = (share: number): number => kDarkest + (kLightest - kDarkest) * clamped(share);
 
 const clamped = (value: number): number => Math.min(1, Math.max(0, value));
 

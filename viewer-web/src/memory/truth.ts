@@ -129,7 +129,6 @@ export interface Sensor {
   place: SensorPlace | undefined;
   /** [m] expected error of a place on the seen field; NaN if not calibrated. */
   errorMean: number;
-  errorP95: number;
   robots: TrueThing[];
   ball: TrueThing | undefined;
 }
@@ -162,7 +161,6 @@ export function sensorOf(fields: Fields<TruthSensor>): Sensor {
     pinhole: pinholeOf(fieldsOf(fields, "pinhole")),
     place: placeOf(place),
     errorMean: numberOf(place, "error_mean"),
-    errorP95: numberOf(place, "error_p95"),
     robots: thingsOf(listOf(fields, "robots")),
     ball: thingOf(fieldsOf(fields, "ball")),
   };

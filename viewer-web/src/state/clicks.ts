@@ -52,7 +52,7 @@ export function movedTo(now: Clicking, { x, y }: Point): Clicking {
 }
 
 /** Moves it by a part of a pixel. */
-export function nudged(now: Clicking, by: Point): Clicking {
+function nudged(now: Clicking, by: Point): Clicking {
   const at = movable(now);
   return at ? movedTo(now, { x: at.x + by.x, y: at.y + by.y }) : now;
 }

@@ -5,13 +5,25 @@ import type { Colours } from "../draw/timeline";
 /** To people who cannot see it, a canvas is a picture. Spread, because Svelte wrongly takes canvases for controls. */
 export const kPicture = { role: "img" } as const;
 
-/** Sets the canvas to the screen's resolution, clears it, and uses the page's pixels as its unit. */
-export function fitted(canvas: HTMLCanvasElement, pen: CanvasRenderingContext2D): { width: number; height: number } {
-  const ratio = window.devicePixelRatio;
+interface Size {
+  width: number;
+  height: number;
+}
+
+/** Gives the canvas `ratio` of its own pixels for each of the page. Returns its size on the page. */
+export function sized(canvas: HTMLCanvasElement, ratio: number): Size {
   const { clientWidth: width, clientHeight: height } = canvas;
   const [fineWidth, fineHeight] = [Math.round(ratio * width), Math.round(ratio * height)];
+  // setting a size clears the canvas
   if (canvas.width !== fineWidth) canvas.width = fineWidth;
   if (canvas.height !== fineHeight) canvas.height = fineHeight;
+  return { width, height };
+}
+
+/** Sets the canvas to the screen's resolution, clears it, and uses the page's pixels as its unit. */
+export function fitted(canvas: HTMLCanvasElement, pen: CanvasRenderingContext2D): Size {
+  const ratio = window.devicePixelRatio;
+  const { width, height } = sized(canvas, ratio);
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
   pen.clearRect(0, 0, width, height);
   return { width, height };
