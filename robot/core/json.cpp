@@ -42,6 +42,11 @@ Result<nlohmann::json> parse_json(std::string_view text) {
   return json;
 }
 
+std::string shown(const nlohmann::json& value, std::size_t most) {
+  const std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return text.size() <= most ? text : text.substr(0, most) + "…";
+}
+
 std::optional<std::int64_t> whole_number(const nlohmann::json& value) {
   constexpr double kGreatestExact = 9007199254740992;  // 2^53
   if (value.is_number_unsigned() && value.get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX))

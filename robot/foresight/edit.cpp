@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "robot/core/text.h"
 #include "robot/foresight/question.h"
-#include "robot/foresight/shown.h"
 #include "sim/match/situation.h"
 #include "sim/match/step.h"
 
@@ -27,7 +27,8 @@ int index_of(const pb::WhatIf::MovedRobot& robot, const bridge::PlayerMaps& line
 }
 
 Result<void> check_place(const sim::field::Field& field, const std::string& who, Vec2 at, float room) {
-  const std::string where = who + " at " + number(static_cast<double>(at.x)) + ", " + number(static_cast<double>(at.y));
+  const std::string where =
+      formatted("%s at %g, %g", who.c_str(), static_cast<double>(at.x), static_cast<double>(at.y));
   if (!std::isfinite(at.x) || !std::isfinite(at.y) || !sim::field::inside_field(field, at, room))
     return Error{where + " is not on the field"};
   for (int post = 0; post < 4; ++post)
@@ -86,8 +87,8 @@ Result<void> apply(const pb::WhatIf::Edit& edit, const bridge::PlayerMaps& lineu
     if (Result<void> placed = check_place(params.rules.field, name_of(moved), at, contact.robot_radius); !placed)
       return placed;
     if (!is_within(moved.heading(), -sim::kPi, sim::kPi))
-      return Error{name_of(moved) + ": 'heading' must be -3.1416 .. 3.1416 [rad], got " +
-                   number(static_cast<double>(moved.heading()))};
+      return Error{formatted("%s: 'heading' must be -3.1416 .. 3.1416 [rad], got %g", name_of(moved).c_str(),
+                             static_cast<double>(moved.heading()))};
     const int robot = index_of(moved, lineups);
     sim::Body& body = world.bodies[robot];
     body = {};
@@ -115,8 +116,8 @@ Result<void> apply(const pb::WhatIf::Edit& edit, const bridge::PlayerMaps& lineu
   if (!edit.has_seconds_remaining()) return {};
   const float half = params.rules.half_duration;
   if (!is_within(edit.seconds_remaining(), 0, half))
-    return Error{"'seconds_remaining' must be 0 .. " + number(static_cast<double>(half)) + " [s], got " +
-                 number(static_cast<double>(edit.seconds_remaining()))};
+    return Error{formatted("'seconds_remaining' must be 0 .. %g [s], got %g", static_cast<double>(half),
+                           static_cast<double>(edit.seconds_remaining()))};
   state.book.clock = sim::ticks(half - edit.seconds_remaining());
   return {};
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include "robot/foresight/shown.h"
+#include "robot/core/json.h"
+#include "robot/core/json_library.h"
+#include "robot/core/text.h"
 #include "sim/foresight/rollout_statistics.h"
 
 namespace robot::foreseeing {
@@ -58,7 +60,7 @@ std::string name_of(const pb::WhatIf::MovedRobot& robot) {
 
 Result<void> check_horizon(double seconds) {
   if (seconds >= 1 && seconds <= kLongestHorizon) return {};
-  return Error{"'horizon' must be 1 .. 1200 [s], got " + number(seconds)};
+  return Error{formatted("'horizon' must be 1 .. 1200 [s], got %g", seconds)};
 }
 
 Result<void> check_budget(std::uint32_t budget_ms) {
@@ -87,9 +89,9 @@ Result<pb::WhatIf> complete(pb::WhatIf question, const std::vector<std::string>&
   if (Result<void> checked = check_budget(question.budget_ms()); !checked) return checked.failure();
   if (Result<void> moved = check_moved(question.edit().robots()); !moved) return moved.failure();
   if (!(question.switching_cost() >= 0 && question.switching_cost() <= 10))
-    return Error{"'switching_cost' must be 0 .. 10, got " + number(static_cast<double>(question.switching_cost()))};
+    return Error{formatted("'switching_cost' must be 0 .. 10, got %g", static_cast<double>(question.switching_cost()))};
   if (!(question.sure() >= 0.5f && question.sure() <= 0.999f))
-    return Error{"'sure' must be 0.5 .. 0.999, got " + number(static_cast<double>(question.sure()))};
+    return Error{formatted("'sure' must be 0.5 .. 0.999, got %g", static_cast<double>(question.sure()))};
   return question;
 }
 

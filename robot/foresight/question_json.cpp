@@ -9,7 +9,6 @@
 #include "robot/core/json.h"
 #include "robot/core/json_library.h"
 #include "robot/foresight/question.h"
-#include "robot/foresight/shown.h"
 
 namespace robot::foreseeing {
 namespace {

@@ -101,8 +101,7 @@ class Writer {
 
  private:
   static Error wrong(const FieldRule& rule, const Json& got, const std::string& expected) {
-    return Error{"expected " + expected + " at '" + rule.from + "' for " + rule.field->name() + ", got " +
-                 got.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 60)};
+    return Error{"expected " + expected + " at '" + rule.from + "' for " + rule.field->name() + ", got " + shown(got)};
   }
 
   template <class T>

@@ -22,11 +22,6 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMostFileBytes = 1 << 20;
 
-std::string shown(const Json& json) {
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
-}
-
 /// Returns the place `name` in the object at `where`.
 std::string below(const std::string& where, std::string_view name) {
   std::string place = where;

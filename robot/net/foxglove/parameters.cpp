@@ -18,7 +18,7 @@ Error refused(std::string_view name, const std::string& expected) {
 }
 
 /// Returns a number without trailing zeros: 0.1, not 0.100000.
-std::string shown(double number) {
+std::string printed(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", number);
   return text;
@@ -26,9 +26,9 @@ std::string shown(double number) {
 
 /// Returns the range of `rule` in words: "1 .. 5", "at least 1", "a finite number".
 std::string range_of(const ParameterRule& rule) {
-  if (rule.min && rule.max) return shown(*rule.min) + " .. " + shown(*rule.max);
-  if (rule.min) return "at least " + shown(*rule.min);
-  return rule.max ? "at most " + shown(*rule.max) : "a finite number";
+  if (rule.min && rule.max) return printed(*rule.min) + " .. " + printed(*rule.max);
+  if (rule.min) return "at least " + printed(*rule.min);
+  return rule.max ? "at most " + printed(*rule.max) : "a finite number";
 }
 
 /// Returns `value` converted to the type of `like`, or nothing if that is impossible.
@@ -52,7 +52,7 @@ Result<void> check_value(std::string_view name, const ParameterValue& value, con
   // not-a-number is refused, too
   const bool inside =
       !number || (std::isfinite(*number) && !(rule.min && *number < *rule.min) && !(rule.max && *number > *rule.max));
-  if (!inside) return refused(name, range_of(rule) + ", got " + shown(*number));
+  if (!inside) return refused(name, range_of(rule) + ", got " + printed(*number));
 
   const auto* text = std::get_if<std::string>(&value);
   if (!text || rule.choices.empty() || std::ranges::find(rule.choices, *text) != rule.choices.end()) return {};

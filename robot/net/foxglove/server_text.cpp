@@ -12,11 +12,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Returns a value for an error sentence: as JSON, cut short.
-std::string shown(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 60);
-}
-
 /// Replaces the spellings of not-a-number and infinity, which many libraries write and JSON does not have, by null.
 std::string with_null_for_nan(std::string_view text) {
   constexpr std::string_view kSpellings[] = {"-Infinity", "Infinity", "-NaN", "NaN", "-nan", "nan", "-inf", "inf"};

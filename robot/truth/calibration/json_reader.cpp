@@ -14,11 +14,6 @@ using Json = nlohmann::json;
 const Json kNothing, kEmptyObject = Json::object(), kEmptyList = Json::array();
 constexpr std::size_t kMostBytes = 200;
 
-/// Returns the start of a value for a sentence.
-std::string shown(const Json& value) {
-  return printable(value.dump(-1, ' ', true, Json::error_handler_t::replace), 40);
-}
-
 }  // namespace
 
 void JsonReader::refuse(const std::string& problem) {

@@ -39,7 +39,7 @@ Result<void> read_number_entry(const CameraEntry& entry, const nlohmann::json& v
   const double number = value.is_number() ? value.get<double>() : 0;
   if (!value.is_number() || number < entry.least || number > entry.most)
     return Error{formatted("\"%s\" must be a number from %g to %g, got ", entry.name.data(), entry.least, entry.most) +
-                 printable(value.dump(-1, ' ', true), 40)};
+                 shown(value)};
   camera.*entry.member = number;
   return {};
 }

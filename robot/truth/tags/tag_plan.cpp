@@ -19,10 +19,6 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMostPlanBytes = 1 << 20;
 
-std::string shown(const Json& value) {
-  return printable(value.dump(-1, ' ', true, Json::error_handler_t::replace), 40);
-}
-
 /// The reader of a plan. It keeps the first fault; after one its values are of no use.
 class PlanReader {
  public:

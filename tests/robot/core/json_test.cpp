@@ -66,6 +66,15 @@ TEST(Json, ANumberInATextKeeps64Bits) {
     EXPECT_EQ(number_in_text<std::uint64_t>(object, none), std::nullopt) << none;
 }
 
+TEST(Json, AValueInASentenceIsShortAscii) {
+  EXPECT_EQ(shown({{"x", 1.5}}), R"({"x":1.5})");
+  EXPECT_EQ(shown("ü"), R"("\u00fc")");
+  EXPECT_EQ(shown("\xff"), R"("\ufffd")");
+  EXPECT_EQ(shown(std::string(58, 'a')), '"' + std::string(58, 'a') + '"');
+  EXPECT_EQ(shown(std::string(59, 'a')), '"' + std::string(59, 'a') + "…");
+  EXPECT_EQ(shown("abcdef", 4), "\"abc…");
+}
+
 TEST(Json, ManyListsBesideEachOtherAreNotDeep) {
   std::string text = "[";
   for (int i = 0; i < 1000; ++i) text += "[{}],";
