@@ -9,6 +9,7 @@
 #include "proto/foxglove/RawImage.pb.h"
 #include "robot/image/image_codec.h"
 #include "robot/memory/schema.h"
+#include "robot/net/foxglove/rate_limit.h"
 
 namespace robot::net {
 namespace {
@@ -31,22 +32,6 @@ Result<pb::Image> parse_image(const memory::Version& source) {
                  std::to_string(image.height())};
   return image;
 }
-
-/// A limit of versions per second of capture time, so that playback at double speed shows as many images.
-class RateLimit {
- public:
-  bool passes(std::uint64_t capture_ns, double rate_hz) {
-    const auto period_ns = static_cast<std::uint64_t>(1e9 / rate_hz);
-    // a camera's times jitter: an image that is a little early passes; a jump back starts the limit anew
-    const bool early = capture_ns >= last_ns_ && capture_ns - last_ns_ + period_ns / 4 < period_ns;
-    if (last_ns_ != 0 && early) return false;
-    last_ns_ = capture_ns;
-    return true;
-  }
-
- private:
-  std::uint64_t last_ns_ = 0;
-};
 
 using Bytes = Result<std::optional<std::string>>;
 

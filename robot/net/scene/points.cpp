@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "robot/core/clock.h"
+#include "robot/net/foxglove/rate_limit.h"
 #include "robot/net/scene/cloud_points.h"
 #include "robot/net/scene/schemas.h"
 
@@ -85,15 +85,13 @@ void add(Cloud& cloud, const Shape& shape) {
 }
 
 Convert clouds_of(const MakeScene& make) {
-  constexpr std::uint64_t kPeriodNs = kSecond / 5;
-  return
-      [make, next_ns = std::uint64_t{0}](const memory::Version& version) mutable -> Result<std::optional<std::string>> {
-        if (version.capture_ns() < next_ns) return std::optional<std::string>();
-        next_ns = version.capture_ns() + kPeriodNs;
-        const Result<Scene> scene = make(version);
-        if (!scene) return scene.failure();
-        return std::optional(point_cloud(*scene, version.capture_ns()));
-      };
+  constexpr double kRateHz = 5;
+  return [make, limit = RateLimit()](const memory::Version& version) mutable -> Result<std::optional<std::string>> {
+    if (!limit.passes(version.capture_ns(), kRateHz)) return std::optional<std::string>();
+    const Result<Scene> scene = make(version);
+    if (!scene) return scene.failure();
+    return std::optional(point_cloud(*scene, version.capture_ns()));
+  };
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "proto/foresight/truth.pb.h"
 #include "proto/foxglove/RawImage.pb.h"
 #include "robot/net/foxglove/derived_channels.h"
+#include "robot/net/foxglove/rate_limit.h"
 #include "robot/net/scene/depth_points.h"
 #include "robot/net/scene/field_scene.h"
 #include "robot/net/scene/frames.h"
@@ -172,15 +173,13 @@ std::vector<Derived> of_camera(const memory::ChannelInfo& source) {
 /// 10 Hz.
 std::vector<Derived> of_depth(const memory::ChannelInfo& source, const SceneSources& sources) {
   constexpr std::string_view kFamily = "/truth/", kEnding = "/depth";
-  constexpr std::uint64_t kPeriodNs = kSecond / 10;
+  constexpr double kRateHz = 10;
   if (!source.topic.starts_with(kFamily) || !source.topic.ends_with(kEnding)) return {};
   const std::string sensor = source.topic.substr(0, source.topic.size() - kEnding.size());
   return {{.info = info_of(sensor + "/points", kPointCloud),
            .make_convert = [&sources, sensor]() -> Convert {
-             return [&sources, sensor, next_ns = std::uint64_t{0}](const memory::Version& version) mutable -> Bytes {
-               if (version.capture_ns() < next_ns && version.capture_ns() + kPeriodNs > next_ns)
-                 return std::optional<std::string>();
-               next_ns = version.capture_ns() + kPeriodNs;
+             return [&sources, sensor, limit = RateLimit()](const memory::Version& version) mutable -> Bytes {
+               if (!limit.passes(version.capture_ns(), kRateHz)) return std::optional<std::string>();
                ::foxglove::RawImage depth;
                if (auto parsed = parse(version, depth); !parsed) return parsed.failure();
                pb::TruthSensor known;
