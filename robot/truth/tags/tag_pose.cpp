@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 
 namespace robot::truth::tags {
@@ -79,14 +78,10 @@ std::optional<TagPose> solve(const Problem& problem, const Eigen::Isometry3d& st
   constexpr int kMostSteps = 30;
   State state{.field_from_tag = start};
   auto residuals = residuals_of(problem, state);
-  Matrix7 covariance = Matrix7::Constant(std::numeric_limits<double>::quiet_NaN());
+  auto derivative = derivative_of(problem, state);
   double damping = 1e-3;
-  for (int step = 0; residuals && step < kMostSteps; ++step) {
-    const auto derivative = derivative_of(problem, state);
-    if (!derivative) return std::nullopt;
-    const Matrix7 information = derivative->transpose() * *derivative;
-    covariance = information.inverse();
-    Matrix7 damped = information;
+  for (int step = 0; residuals && derivative && step < kMostSteps; ++step) {
+    Matrix7 damped = derivative->transpose() * *derivative;
     damped.diagonal() *= 1 + damping;
     const Vector7 way = -damped.ldlt().solve(derivative->transpose() * *residuals);
     const State next = moved(state, way);
@@ -96,10 +91,13 @@ std::optional<TagPose> solve(const Problem& problem, const Eigen::Isometry3d& st
     if (better) {
       state = next;
       residuals = next_residuals;
+      derivative = derivative_of(problem, state);
     }
     if (way.norm() < 1e-7) break;
   }
-  if (!residuals || !covariance.allFinite()) return std::nullopt;
+  if (!residuals || !derivative) return std::nullopt;
+  const Matrix7 covariance = (derivative->transpose() * *derivative).inverse();
+  if (!covariance.allFinite()) return std::nullopt;
   return TagPose{.field_from_tag = state.field_from_tag,
                  .covariance = covariance.topLeftCorner<6, 6>(),
                  .cost = residuals->squaredNorm()};
