@@ -80,7 +80,7 @@ Result<AskedMoment> newest_moment(const memory::Channels& channels, std::string 
                      .objects = bridge::recollect(channels, robot, decision->capture_ns),
                      .truth = {},
                      .simulation = {}};
-  if (auto truth = bridge::newest<pb::GroundTruth>(channels, bridge::kTruthTopic))
+  if (auto truth = bridge::newest<pb::GroundTruth>(channels, memory::kTruthTopic))
     moment.truth = std::move(truth->value);
   return moment;
 }

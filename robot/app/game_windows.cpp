@@ -97,11 +97,11 @@ class Referee {
 }  // namespace
 
 Result<std::vector<statistics::Window>> windows_of(const logging::Session& session) {
-  const Truths truths = logging::read_in_order<foresight::GroundTruth>(session, bridge::kTruthTopic);
-  if (truths.empty()) return Error{session.id() + " has no " + bridge::kTruthTopic};
+  const Truths truths = logging::read_in_order<foresight::GroundTruth>(session, memory::kTruthTopic);
+  if (truths.empty()) return Error{session.id() + " has no " + memory::kTruthTopic};
   const std::uint64_t start_ns = truths.front().capture_ns;
   if (truths.back().capture_ns - start_ns > kLongestNs)
-    return Error{session.id() + ": " + bridge::kTruthTopic + " is longer than 6 hours"};
+    return Error{session.id() + ": " + memory::kTruthTopic + " is longer than 6 hours"};
   const auto teams = bridge::teams_seen(truths);
   if (!teams) return teams.failure(session.id());
 
@@ -120,7 +120,7 @@ Result<std::vector<statistics::Window>> windows_of(const logging::Session& sessi
       cutter.add_empty_frame();
   }
   auto windows = std::move(cutter).windows();
-  if (windows.empty()) return Error{session.id() + ": " + bridge::kTruthTopic + " has less than a minute in play"};
+  if (windows.empty()) return Error{session.id() + ": " + memory::kTruthTopic + " has less than a minute in play"};
   return windows;
 }
 

@@ -11,10 +11,9 @@
 
 #include "robot/bridge/to_messages.h"
 #include "robot/core/result.h"
+#include "robot/memory/channel.h"
 
 namespace robot::bridge {
-
-inline constexpr const char* kTruthTopic = "/truth/world";
 
 /// Returns the two teams that are seen most in `truths`, the lower number as home. Each element has a GroundTruth as its
 /// `value`. Returns an Error if fewer than two teams are seen.
@@ -25,7 +24,8 @@ Result<TeamNumbers> teams_seen(const Truths& truths) {
     for (const auto& robot : truth.value.robots())
       if (robot.has_team()) ++seen[robot.team()];
   if (seen.size() < 2)
-    return Error{std::string(kTruthTopic) + ": expected robots of two teams, got " + std::to_string(seen.size())};
+    return Error{std::string(memory::kTruthTopic) + ": expected robots of two teams, got " +
+                 std::to_string(seen.size())};
   std::vector<std::pair<std::uint32_t, std::size_t>> by_count(seen.begin(), seen.end());
   std::ranges::stable_sort(by_count, std::greater<>(), &std::pair<std::uint32_t, std::size_t>::second);
   const auto [low, high] = std::minmax(by_count[0].first, by_count[1].first);

@@ -15,6 +15,9 @@ std::string_view trimmed(std::string_view text);
 /// point into `text`.
 std::vector<std::string_view> split(std::string_view text, std::string_view separator);
 
+/// Takes the next line off `text` and returns it without its end, "\n" or "\r\n".
+std::string_view take_line(std::string_view& text);
+
 /// Returns the parts with the separator between them, so that split() returns them again.
 std::string joined(const std::vector<std::string>& parts, std::string_view separator);
 

@@ -81,11 +81,11 @@ std::string recorded_rules(const Session& session) {
 }
 
 Result<RecordedGame> read_recorded_game(const Session& session, int players, const WantedTeams& wanted) {
-  const Truths truths = robot::logging::read_in_order<pb::GroundTruth>(session, robot::bridge::kTruthTopic);
-  if (truths.empty()) return Error{session.id() + " has no " + robot::bridge::kTruthTopic};
+  const Truths truths = robot::logging::read_in_order<pb::GroundTruth>(session, robot::memory::kTruthTopic);
+  if (truths.empty()) return Error{session.id() + " has no " + robot::memory::kTruthTopic};
   const std::uint64_t start_ns = truths.front().capture_ns;
   if (truths.back().capture_ns - start_ns > kLongestNs)
-    return Error{session.id() + ": " + robot::bridge::kTruthTopic + " is longer than 6 hours"};
+    return Error{session.id() + ": " + robot::memory::kTruthTopic + " is longer than 6 hours"};
 
   RecordedGame game;
   const auto simulation = simulation_of(session);

@@ -10,10 +10,9 @@ namespace {
 
 /// Lists /truth/world as in the memory of a robot.
 Result<void> list_world(memory::Channels& channels, const Clock& clock) {
-  constexpr const char* kWorld = "/truth/world";
-  if (channels.find(kWorld)) return {};
+  if (channels.find(memory::kTruthTopic)) return {};
   const auto world = std::make_shared<memory::MemoryObject<foresight::GroundTruth>>();
-  world->announce(kWorld, memory::Delivery::latest, clock);
+  world->announce(memory::kTruthTopic, memory::Delivery::latest, clock);
   return channels.add(world);
 }
 

@@ -13,7 +13,7 @@ double seconds_of(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
 bool has_truth(const logging::Session& session) {
   return std::ranges::any_of(session.streams, [](const logging::StreamFile& stream) {
-    return stream.topic == kTruthTopic && stream.messages > 0;
+    return stream.topic == memory::kTruthTopic && stream.messages > 0;
   });
 }
 

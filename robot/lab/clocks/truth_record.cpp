@@ -105,9 +105,9 @@ class TruthRecorder {
 
 TruthRecord read_truth(const logging::Session& session) {
   TruthRecorder recorder(session.start_ns);
-  logging::read_each<GroundTruth>(session, kTruthTopic, [&](const GroundTruth& truth, std::uint64_t capture_ns) {
-    recorder.add(truth, capture_ns);
-  });
+  logging::read_each<GroundTruth>(
+      session, memory::kTruthTopic,
+      [&](const GroundTruth& truth, std::uint64_t capture_ns) { recorder.add(truth, capture_ns); });
   return std::move(recorder).finished();
 }
 

@@ -11,8 +11,6 @@
 
 namespace robot::lab {
 
-inline constexpr const char* kTruthTopic = "/truth/world";
-
 /// A place on the field at one moment.
 struct PlaceAt {
   double at = 0;        // [s] since the record's epoch

@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 
+#include "robot/core/text.h"
+
 namespace robot::lab::labels {
 namespace {
 
@@ -13,15 +15,6 @@ constexpr std::string_view kHeader = "filename,label,x_min,y_min,x_max,y_max,col
 constexpr std::size_t kMostRows = 1'000'000;
 constexpr std::int64_t kLastMs = 1'000'000'000;  // 11 days
 constexpr double kFarthest = 10'000;             // [px]
-
-/// Takes the next line off `text`, without its end.
-std::string_view next_line(std::string_view& text) {
-  const std::size_t end = text.find('\n');
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(end == text.npos ? text.size() : end + 1);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
 
 std::optional<std::int64_t> whole(std::string_view text) {
   std::int64_t value = 0;
@@ -88,14 +81,14 @@ bool add_row(std::string_view line, std::map<std::int64_t, Frame>& frames) {
 bool is_label_file(std::string_view text) { return text.starts_with(kHeader); }
 
 Result<Rows> read_rows(std::string_view text) {
-  const std::string_view header = next_line(text);
+  const std::string_view header = take_line(text);
   if (header != kHeader)
     return Error{"expected the header '" + std::string(kHeader) + "', got '" + std::string(header.substr(0, 80)) + "'"};
   Rows rows;
   std::map<std::int64_t, Frame> frames;
   for (std::size_t number = 2; !text.empty() && rows.damage.empty(); ++number) {
     if (number > kMostRows) return Error{"expected at most 1000000 rows"};
-    const std::string_view line = next_line(text);
+    const std::string_view line = take_line(text);
     if (!line.empty() && !add_row(line, frames))
       rows.damage = "line " + std::to_string(number) + ": expected a time, a label and a box in pixels, got '" +
                     std::string(line.substr(0, 80)) + "'";

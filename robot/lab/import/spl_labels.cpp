@@ -105,7 +105,7 @@ Result<ImportReport> import_spl_labels(std::string_view file_bytes, std::uint64_
       report.warnings.push_back("the image at " + std::to_string(frame.time_ms) +
                                 " ms has several balls; the first one counts");
     const std::uint64_t capture_ns = epoch_ns + capture_ns_of(frame, rows->frames.front());
-    if (const Result<void> taken = counted.message("/truth/world", capture_ns, truth_of(frame, view)); !taken)
+    if (const Result<void> taken = counted.message(memory::kTruthTopic, capture_ns, truth_of(frame, view)); !taken)
       return taken.failure();
   }
   return report;

@@ -10,7 +10,6 @@
 namespace robot::lab {
 namespace {
 
-constexpr const char* kWorldTopic = "/truth/world";
 constexpr std::size_t kFirstLines = 65'536;  // [bytes] enough for the header and a line
 
 void warn_of(std::uint64_t count, const char* what, ImportReport& report) {
@@ -57,7 +56,7 @@ Result<ImportReport> import_truth_csv(std::string_view file_bytes, std::uint64_t
   CountingSink counted(sink, report);
   for (const truth::TimedTruth& moment : csv->moments) {
     const std::uint64_t capture_ns = moment.capture_ns + (csv->dated ? 0 : epoch_ns);
-    if (const Result<void> taken = counted.message(kWorldTopic, capture_ns, moment.truth); !taken)
+    if (const Result<void> taken = counted.message(memory::kTruthTopic, capture_ns, moment.truth); !taken)
       return taken.failure();
   }
   return report;
@@ -76,7 +75,7 @@ Result<ImportReport> import_ssl_log(std::string_view file_bytes, const truth::Ss
     if (!(*message)->vision) continue;
     const std::optional<truth::TimedTruth> world = import.take(**message);
     if (!world) continue;
-    if (const Result<void> taken = counted.message(kWorldTopic, world->capture_ns, world->truth); !taken)
+    if (const Result<void> taken = counted.message(memory::kTruthTopic, world->capture_ns, world->truth); !taken)
       return taken.failure();
   }
   import.describe(teams);

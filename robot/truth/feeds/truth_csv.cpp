@@ -18,15 +18,6 @@ constexpr std::uint64_t kDatedNs = 1'000'000'000'000'000'000;  // 2001
 constexpr std::size_t kLongestHeader = 65'536;                 // [bytes]
 constexpr int kMostRobots = 500;                               // at one moment of the long form
 
-/// Takes the next line off `text`, without its end.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = text.find('\n');
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(end == text.npos ? text.size() : end + 1);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
 /// A place in a row. Absent as a whole if the thing was not seen.
 struct RowPlace {
   double x = 0, y = 0;

@@ -22,6 +22,13 @@ TEST(Split, HasOnePartMoreThanSeparators) {
   EXPECT_EQ(split("a or", " or "), (Parts{"a or"}));
 }
 
+TEST(TakeLine, EndsAtEitherLineEndOrTheText) {
+  std::string_view text = "a\r\n\nb\rc\nd";
+  for (const char* line : {"a", "", "b\rc", "d"}) EXPECT_EQ(take_line(text), line);
+  EXPECT_EQ(text, "");
+  EXPECT_EQ(take_line(text), "");
+}
+
 TEST(Joined, IsSplitIntoItsPartsAgain) {
   EXPECT_EQ(joined({}, ", "), "");
   for (const std::vector<std::string>& parts :
