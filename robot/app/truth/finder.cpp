@@ -18,11 +18,11 @@ Finder depth_finder(const sim::field::Field& field, const truth::DetectorOptions
           .robots = truth::Ranging::depth};
 }
 
-Finder tag_finder(const truth::tags::TagPlan& plan, double ball_radius) {
-  return {.at = [plan, ball_radius](const PlacedSensor& placed) -> Result<Find> {
+Finder tag_finder(const truth::tags::TagPlan& plan, const std::optional<truth::tags::BallLook>& ball) {
+  return {.at = [plan, ball](const PlacedSensor& placed) -> Result<Find> {
             const truth::tags::Camera camera{.projection = {placed.pose.intrinsics, placed.lens},
                                              .field_from_camera = placed.pose.field_from_sensor};
-            auto made = truth::tags::TagWatcher::create(camera, plan, {.ball = {.radius = ball_radius}, .threads = 2});
+            auto made = truth::tags::TagWatcher::create(camera, plan, {.ball = ball, .threads = 2});
             if (!made) return made.failure();
             const auto watcher = std::make_shared<truth::tags::TagWatcher>(std::move(*made));
             return Find([watcher](const truth::DepthFrame& frame) {

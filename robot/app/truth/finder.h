@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "robot/app/truth/calibrations.h"
 #include "robot/core/result.h"
 #include "robot/truth/detection/detector_options.h"
 #include "robot/truth/frame/depth_frame.h"
 #include "robot/truth/frame/detections.h"
+#include "robot/truth/tags/ball_colour.h"
 #include "robot/truth/tags/tag_plan.h"
 #include "robot/truth/tracks/sensor.h"
 #include "sim/field/field.h"
@@ -28,7 +30,7 @@ struct Finder {
 Finder depth_finder(const sim::field::Field& field, const truth::DetectorOptions& options);
 
 /// Returns the finder of an ordinary camera, whose images have colours and no depths: robots by their printed tags, the ball
-/// by its colour.
-Finder tag_finder(const truth::tags::TagPlan& plan, double ball_radius);
+/// by its colour, if `ball` is there.
+Finder tag_finder(const truth::tags::TagPlan& plan, const std::optional<truth::tags::BallLook>& ball);
 
 }  // namespace robot::app

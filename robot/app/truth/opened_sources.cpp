@@ -1,6 +1,7 @@
 #include "robot/app/truth/opened_sources.h"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <utility>
 
@@ -32,22 +33,34 @@ const Mast* mast_at(const std::string& address) {
   return found == std::end(kMasts) ? nullptr : found;
 }
 
-/// A recording whose first image has been read before its turn.
+/// A recording whose answers up to its first image have been read before their turn.
 class PeekedSource final : public truth::DepthSource {
  public:
-  PeekedSource(std::unique_ptr<truth::DepthSource> source, std::optional<truth::DepthFrame> first)
-      : source_(std::move(source)), first_(std::move(first)) {}
+  using Answer = Result<std::optional<truth::DepthFrame>>;
 
-  Result<std::optional<truth::DepthFrame>> next() override {
-    if (first_) return std::exchange(first_, std::nullopt);
-    return source_->next();
+  explicit PeekedSource(std::unique_ptr<truth::DepthSource> source) : source_(std::move(source)) {
+    do ahead_.push_back(source_->next());
+    while (!ahead_.back());
+  }
+
+  /// Returns the capture time of the first image, or nothing of a recording without a usable one.
+  std::optional<std::uint64_t> first_ns() const {
+    const Answer& first = ahead_.back();
+    return *first ? std::optional((*first)->capture_ns) : std::nullopt;
+  }
+
+  Answer next() override {
+    if (ahead_.empty()) return source_->next();
+    Answer answer = std::move(ahead_.front());
+    ahead_.pop_front();
+    return answer;
   }
   const std::string& address() const override { return source_->address(); }
   bool live() const override { return source_->live(); }
 
  private:
   const std::unique_ptr<truth::DepthSource> source_;
-  std::optional<truth::DepthFrame> first_;
+  std::deque<Answer> ahead_;  // Errors of damaged images, then the first image or the end
 };
 
 }  // namespace
@@ -116,9 +129,9 @@ Result<void> OpenedSources::open_recordings_and_sensors() {
     if (!sources_.empty() && sources_.front().source->live() != (*source)->live())
       return Error{"expected live sensors only, or recordings only, got " + addresses_.front() + " and " + address};
     if (!(*source)->live()) {
-      auto first = (*source)->next();
-      if (first && *first) first_ns = std::min(first_ns, (*first)->capture_ns);
-      *source = std::make_unique<PeekedSource>(std::move(*source), first ? std::move(*first) : std::nullopt);
+      auto peeked = std::make_unique<PeekedSource>(std::move(*source));
+      first_ns = std::min(first_ns, peeked->first_ns().value_or(first_ns));
+      *source = std::move(peeked);
     }
     sources_.push_back({.source = std::move(*source), .placed = {}});
   }
@@ -148,13 +161,14 @@ std::vector<std::unique_ptr<SensorWatch>> OpenedSources::watches(const Calibrati
                                                                  TruthWriter& writer) {
   truth::DetectorOptions detection{.ball_radius = ball_radius_, .orange_ball = options_.orange_ball};
   if (game_) detection.colour_shift_x = 1;  // the colours of a synthetic sensor are shifted by a pixel
+  const auto ball = options_.orange_ball ? std::optional(truth::tags::BallLook{.radius = ball_radius_}) : std::nullopt;
   std::vector<std::unique_ptr<SensorWatch>> watches;
   for (Opened& opened : sources_) {
     const bool by_tags = truth::tags::is_picture_address(opened.source->address());
     const bool paced = game_ != nullptr || !opened.source->live();
     watches.push_back(std::make_unique<SensorWatch>(
         SensorWatchOptions{.index = watches.size(),
-                           .finder = by_tags ? tag_finder(*tags_, ball_radius_) : depth_finder(rules_.field, detection),
+                           .finder = by_tags ? tag_finder(*tags_, ball) : depth_finder(rules_.field, detection),
                            .paced = paced},
         std::move(opened.source), *clock_, calibrations, writer));
     if (opened.placed) watches.back()->place(*opened.placed);

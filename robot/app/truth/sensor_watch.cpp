@@ -100,7 +100,12 @@ void SensorWatch::lose(const std::string& problem) {
 
 void SensorWatch::look(const std::shared_ptr<const truth::DepthFrame>& frame) {
   if (options_.paced && !wait_until(frame->capture_ns)) return;
-  if (source_->live() && frame->capture_ns + kLatestNs < clock_.now_ns()) return;
+  {
+    const std::lock_guard guard(lock_);
+    newest_ = frame;
+  }
+  if (source_->live() && frame->capture_ns + kLatestNs < clock_.now_ns()) return leave_out();
+  shown_ns_ = monotonic_ns();
   const std::uint64_t begun_ns = thread_cpu_ns();
   problem_.clear();
   take_place(*frame);
@@ -116,8 +121,12 @@ void SensorWatch::look(const std::shared_ptr<const truth::DepthFrame>& frame) {
   pulse_.add(monotonic_ns(), thread_cpu_ns() - begun_ns);
   if (find_ && problem_.empty()) writer_.add(options_.index, seen_);
   show(*frame);
-  const std::lock_guard guard(lock_);
-  newest_ = frame;
+}
+
+void SensorWatch::leave_out() {
+  ++left_out_;
+  // a slow machine leaves out an image now and then
+  if (monotonic_ns() - shown_ns_ > kSecond) lose("its images come more than 150 ms late and are left out");
 }
 
 bool SensorWatch::wait_until(std::uint64_t capture_ns) {
@@ -181,6 +190,7 @@ void SensorWatch::tell(State state, std::uint64_t capture_ns) {
   message->set_state(state);
   message->set_address(source_->address());
   message->set_problem(problem_);
+  message->set_left_out(left_out_);
   message->set_rate_hz(static_cast<float>(pulse_.rate_hz(monotonic_ns())));
   message->set_detection_ms(static_cast<float>(pulse_.milliseconds()));
   if (pinhole_) to_proto(*pinhole_, *message->mutable_pinhole());

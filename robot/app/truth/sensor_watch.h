@@ -66,6 +66,7 @@ class SensorWatch {
   bool read_one();
   void lose(const std::string& problem);
   void look(const std::shared_ptr<const truth::DepthFrame>& frame);
+  void leave_out();
   bool wait_until(std::uint64_t capture_ns);  // false: the thread ends meanwhile
   void take_place(const truth::DepthFrame& frame);
   void use(const PlacedSensor& placed);
@@ -89,6 +90,8 @@ class SensorWatch {
   std::string refusal_;  // the reason why find_ is empty; empty: nobody has calibrated the sensor
   bool asked_ = false;   // for a saved calibration
   Pulse pulse_;
+  std::uint64_t left_out_ = 0;               // images that came too late
+  std::uint64_t shown_ns_ = monotonic_ns();  // [ns, monotonic] of the newest image that was not left out
 
   mutable Mutex lock_;  // guards the next two, and is held when stopping_ changes
   std::shared_ptr<const truth::DepthFrame> newest_;

@@ -21,7 +21,7 @@ namespace {
 /// The objects of the whole field.
 struct FieldObjects {
   explicit FieldObjects(const Clock& clock) {
-    world.announce("/truth/world", memory::Delivery::latest, clock);
+    world.announce(memory::kTruthTopic, memory::Delivery::latest, clock);
     simulated.announce("/truth/simulated", memory::Delivery::latest, clock);
   }
 
@@ -117,13 +117,14 @@ Result<void> watch_truth(const TruthOptions& options) {
   const auto field = std::make_shared<FieldObjects>(clock);
   TruthWriter writer(sources->count(), clock, field->world);
   sources->show_game_in(field->simulated);
+  // before the runtime, whose server answers calibrations until its end
+  const std::vector<std::unique_ptr<SensorWatch>> watches = sources->watches(*calibrations, writer);
   Runtime runtime(runtime_options(options), clock,
                   {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
   for (memory::Channel* object : std::initializer_list<memory::Channel*>{&field->world, &field->simulated})
     if (Result<void> listed = runtime.channels().add({field, object}); !listed) return listed;
 
-  const std::vector<std::unique_ptr<SensorWatch>> watches = sources->watches(*calibrations, writer);
   for (const auto& watch : watches)
     if (Result<void> listed = watch->list(runtime.channels()); !listed) return listed;
   add_calibration_services(runtime.services(), {.field = sources->field(), .ball_radius = sources->ball_radius()},

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "robot/core/text.h"
-
 namespace robot::truth {
 
 Result<SslVisionFeed> SslVisionFeed::open(const MulticastAddress& address, const SslTeams& teams, const Clock& clock) {
@@ -31,13 +29,11 @@ Result<TimedTruth> SslVisionFeed::next() {
     if (world && *world) return **std::move(world);
     fault = world ? "no image in it" : world.error();
   }
-  return nothing_came(vision_.counts().packets - packets_before, fault);
+  return nothing_came(vision_.counts().packets > packets_before, fault);
 }
 
-Error SslVisionFeed::nothing_came(std::uint64_t packets, const std::string& fault) {
-  if (packets > 0)
-    return Error{formatted("%s: expected images, got %llu packets of no use in a second; the last one: %s",
-                           place_.c_str(), static_cast<unsigned long long>(packets), fault.c_str())};
+Error SslVisionFeed::nothing_came(bool packets, const std::string& fault) {
+  if (packets) return Error{place_ + ": expected images, got packets of no use for a second; the last one: " + fault};
   if (const Result<void> joined = socket_.join(); !joined) return joined.failure(place_);
   return Error{place_ + ": expected packets, got none for a second"};
 }

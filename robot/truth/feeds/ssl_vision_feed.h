@@ -31,7 +31,7 @@ class SslVisionFeed {
  private:
   SslVisionFeed(MulticastSocket socket, const MulticastAddress& address, const SslTeams& teams, const Clock& clock);
 
-  Error nothing_came(std::uint64_t packets, const std::string& fault);
+  Error nothing_came(bool packets, const std::string& fault);
 
   MulticastSocket socket_;
   const std::string place_;  // for sentences

@@ -46,8 +46,8 @@ Error LiveSource::lost(const Error& reason) {
 
 /// Counts a second without an image.
 Error LiveSource::silent() {
-  const Error sentence{"the sensor sends no images, for " + std::to_string(++silent_s_) + " s"};
-  if (silent_s_ >= kPatience) return lost(sentence);
+  const Error sentence{"the sensor sends no images"};
+  if (++silent_s_ >= kPatience) return lost(sentence);
   return Error{address_ + ": " + sentence.sentence};
 }
 

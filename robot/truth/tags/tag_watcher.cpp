@@ -8,13 +8,12 @@
 namespace robot::truth::tags {
 
 Result<TagWatcher> TagWatcher::create(Camera camera, TagPlan plan, const WatchOptions& options) {
-  Result<TagDetector> detector =
-      TagDetector::create({.family = plan.family, .threads = options.threads, .shrink = options.shrink});
+  Result<TagDetector> detector = TagDetector::create({.family = plan.family, .threads = options.threads});
   if (!detector) return detector.failure();
   return TagWatcher(std::move(camera), std::move(plan), options.ball, *std::move(detector));
 }
 
-TagWatcher::TagWatcher(Camera camera, TagPlan plan, BallLook ball, TagDetector detector)
+TagWatcher::TagWatcher(Camera camera, TagPlan plan, std::optional<BallLook> ball, TagDetector detector)
     : camera_(std::move(camera)), plan_(std::move(plan)), ball_(ball), detector_(std::move(detector)) {}
 
 Result<Detections> TagWatcher::look(const Picture& picture) {
@@ -25,7 +24,7 @@ Result<Detections> TagWatcher::look(const Picture& picture) {
   Detections detections;
   detections.capture_ns = picture.capture_ns;
   detections.robots = tagged_robots(camera_, plan_, detector_.detect(picture), refused_);
-  detections.ball = find_ball(picture, camera_, ball_);
+  if (ball_) detections.ball = find_ball(picture, camera_, *ball_);
   return detections;
 }
 

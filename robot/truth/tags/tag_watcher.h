@@ -1,6 +1,7 @@
 // Pictures to ground truth: robots by their printed tags, the ball by its colour.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "robot/core/result.h"
@@ -15,13 +16,12 @@
 namespace robot::truth::tags {
 
 struct WatchOptions {
-  BallLook ball;
-  int threads = 1;    // that search for tags
-  double shrink = 1;  // as DetectorOptions::shrink
+  std::optional<BallLook> ball = BallLook{};  // nothing: the ball has no colour of its own, and is not searched
+  int threads = 1;                            // that search for tags
 };
 
-/// The observer of one calibrated camera. Used by one thread. A picture of 1280x720 px takes about 45 ms of processor time
-/// without shrinking.
+/// The observer of one calibrated camera. Used by one thread. A picture of 1280x720 px takes about 45 ms of processor
+/// time.
 class TagWatcher {
  public:
   /// Returns an Error without libapriltag in the build, or if the plan's family is unknown.
@@ -35,11 +35,11 @@ class TagWatcher {
   const RefusedTags& refused() const { return refused_; }
 
  private:
-  TagWatcher(Camera camera, TagPlan plan, BallLook ball, TagDetector detector);
+  TagWatcher(Camera camera, TagPlan plan, std::optional<BallLook> ball, TagDetector detector);
 
   Camera camera_;
   TagPlan plan_;
-  BallLook ball_;
+  std::optional<BallLook> ball_;
   TagDetector detector_;
   RefusedTags refused_;
 };

@@ -108,6 +108,7 @@ TEST_F(Watching, AnImageOfALiveSensorThatIsTooOldIsLeftOut) {
   watch({image_at(clock.now_ns() - kSecond), image_at(clock.now_ns() + 30 * kMillisecond)}, true);
   ASSERT_TRUE(tests::eventually([&] { return told().problem() == "given:0 is unplugged"; }));
   EXPECT_EQ(images(), 1u);
+  EXPECT_EQ(told().left_out(), 1u);
 }
 
 }  // namespace

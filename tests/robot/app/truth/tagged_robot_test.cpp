@@ -54,8 +54,8 @@ TEST(TaggedRobot, IsNamedInTheTruth) {
   memory::MemoryObject<foresight::GroundTruth> world;
   world.announce("/truth/world", memory::Delivery::latest, clock);
   TruthWriter writer(1, clock, world);
-  SensorWatch watch({.finder = tag_finder(plan_of_one(), 0.0325), .paced = true}, std::move(*source), clock,
-                    *calibrations, writer);
+  SensorWatch watch({.finder = tag_finder(plan_of_one(), truth::tags::BallLook{.radius = 0.0325}), .paced = true},
+                    std::move(*source), clock, *calibrations, writer);
   memory::Channels channels;
   ASSERT_TRUE(watch.list(channels));
   watch.place(placed());

@@ -113,7 +113,7 @@ TEST_F(LiveSourceTest, OpensASilentSensorAnew) {
   for (int second = 1; second <= LiveSource::kPatience; ++second) {
     EXPECT_TRUE(bench.open);
     const std::uint64_t start_ns = bench.now_ns;
-    EXPECT_EQ(next(*source), "bench:0: the sensor sends no images, for " + std::to_string(second) + " s");
+    EXPECT_EQ(next(*source), "bench:0: the sensor sends no images");
     EXPECT_EQ(bench.now_ns, start_ns + kSecond);
   }
   EXPECT_FALSE(bench.open);
@@ -125,8 +125,8 @@ TEST_F(LiveSourceTest, OpensASilentSensorAnew) {
 TEST_F(LiveSourceTest, ASlowStartIsNoLoss) {
   bench.sends = false;
   const auto source = open();
-  EXPECT_EQ(next(*source), "bench:0: the sensor sends no images, for 1 s");
-  EXPECT_EQ(next(*source), "bench:0: the sensor sends no images, for 2 s");
+  EXPECT_EQ(next(*source), "bench:0: the sensor sends no images");
+  EXPECT_EQ(next(*source), "bench:0: the sensor sends no images");
   bench.sends = true;
   EXPECT_EQ(next(*source), "1");
   EXPECT_EQ(bench.opened, 1);
