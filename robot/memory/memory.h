@@ -96,7 +96,7 @@ struct Memory {
     see("clock", clock, reliable);
     see("runtime", runtime, latest);
     see("log", log, reliable);
-    see(kTruthTopic, truth, latest);
+    see("/truth/world", truth, latest);
     see("/sim/state", simulation, latest);
   }
 
