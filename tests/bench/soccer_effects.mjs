@@ -10,6 +10,7 @@ const of =
   (game) =>
     scale * both(figure)(game);
 const percent = (figure) => of(figure, 100);
+const millimetres = (figure) => of(figure, 1000); // a change by 1 mm/s shows in a figure
 const degrees = (figure) => of(figure, 180 / Math.PI);
 
 /** `to`: the setting that match does not have. `sign`: +1 where the statistic must grow by that, -1 where it must shrink. */
@@ -27,9 +28,9 @@ export const kEffects = [
   effect("packet_limit", "off", +1, "packets of a side", of("packets")),
   effect("packet_delay", "off", -1, "age of mates' news", of("news_age"), "s"),
   effect("packet_loss", "off", -1, "age of mates' news", of("news_age"), "s"),
-  effect("walk_acceleration", "off", +1, "speed while walking", of("speed"), "m/s"),
-  effect("walk_noise", "off", +1, "speed while walking", of("speed"), "m/s"),
-  effect("walk_spread", "off", +1, "speed while walking", of("speed"), "m/s"),
+  effect("walk_acceleration", "off", +1, "speed while walking", millimetres("speed"), "mm/s"),
+  effect("walk_noise", "off", +1, "speed while walking", millimetres("speed"), "mm/s"),
+  effect("walk_spread", "off", +1, "speed while walking", millimetres("speed"), "mm/s"),
   effect("walk_delay", "off", -1, "time between standing and walking", percent("shifting"), "%"),
   effect("head_limits", "off", +1, "ball seen", percent("ball_seen"), "%"),
   effect("kick_noise", "off", -1, "kicked ball off its aim", degrees("kick_astray"), "deg"),
