@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { createSocket } from "node:dgram";
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { open, shoot } from "./browser.mjs";
@@ -100,6 +100,45 @@ test("a sensor is calibrated by clicks, and the calibration is used at once and 
   const restarted = await until_(again, "/truth/1/sensor", ({ place }) => place, "the place from the file");
   assert.ok(Math.abs(restarted.place.x - good.place.x) < 1e-4);
   assert.equal((await again.call("/truth/landmarks", { sensor: 1 })).clicks.length, clicks.length);
+
+  // the same clicks from a file
+  const [written, byFile] = [join(folder, "clicks.json"), join(folder, "by_file.json")];
+  const calibrate = (use) => {
+    writeFileSync(written, JSON.stringify({ clicks: use }));
+    return run("foresight-lab", "calibrate", "--source", "synthetic", "--clicks", written, "--calibration", byFile);
+  };
+  const refused = await calibrate(clicks.slice(0, 3));
+  assert.equal(refused.status, 2);
+  assert.match(refused.stderr, /clicks\.json: .*landmark/);
+  assert.equal(existsSync(byFile), false);
+  const { status, stdout, stderr } = await calibrate(clicks);
+  assert.equal(status, 0, stderr);
+  for (const { landmark } of clicks) assert.ok(stdout.includes(landmark), landmark);
+  assert.match(stdout, /robots +mean [0-9.]+ cm, p95 [0-9.]+ cm/);
+  const [saved] = JSON.parse(readFileSync(byFile, "utf8")).sensors;
+  assert.equal(saved.clicks.length, clicks.length);
+  const watching = await Live.open(t, await watchField(t, "--source", "synthetic", "--calibration", byFile));
+  await watching.subscribe("/truth/1/sensor");
+  const placed = await until_(watching, "/truth/1/sensor", ({ place }) => place, "the place from the clicks");
+  for (const axis of ["x", "y", "z"]) assert.ok(Math.abs(placed.place[axis] - known.place[axis]) < 0.05, axis);
+});
+
+for (const [options, sentence] of [
+  [[], /--landmarks/],
+  [["--source", "synthetic"], /--clicks/],
+  [["--source", "synthetic", "--clicks", "/nowhere.json"], /--clicks: .*nowhere/],
+  [["--source", "kinect", "--clicks", join(root, "CMakeLists.txt")], /CMakeLists/],
+])
+  test(`foresight-lab calibrate ${options.join(" ")} is refused in one sentence`, async () => {
+    const { status, stderr } = await run("foresight-lab", "calibrate", ...options);
+    assert.equal(status, 2);
+    assert.match(stderr, sentence);
+  });
+
+test("the landmarks of a field are listed for a file of clicks", async () => {
+  const { stdout } = await run("foresight-lab", "calibrate", "--landmarks", "--rules", "spl2025", "--json");
+  const corner = JSON.parse(stdout).find(({ name }) => name === "corner +x +y");
+  assert.deepEqual([corner.x, corner.y], [4.5, 3]);
 });
 
 test("two sensors report one truth", async (t) => {

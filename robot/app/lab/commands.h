@@ -13,6 +13,7 @@ using command::Command, command::kDone;
 /// Prints the sentence on stderr and returns the exit status of bad input.
 inline int fail(const std::string& sentence) { return command::fail("foresight-lab", sentence); }
 
+std::unique_ptr<Command> calibrate_command(CLI::App& app);
 std::unique_ptr<Command> game_statistics_command(CLI::App& app);
 std::unique_ptr<Command> import_command(CLI::App& app);
 std::unique_ptr<Command> info_command(CLI::App& app);

@@ -38,8 +38,8 @@ Result<json> landmarks_answer(const json& request, const std::vector<truth::Land
   return answer;
 }
 
-Result<json> calibrate_answer(const json& request, const std::vector<truth::Landmark>& landmarks, double ball_radius,
-                              const Watches& watches, Calibrations& calibrations) {
+Result<json> calibrate_answer(const json& request, const CalibratedField& on, const Watches& watches,
+                              Calibrations& calibrations) {
   const auto watch = watch_of(request, watches);
   if (!watch) return watch.failure();
   const auto clicks = truth::clicks_of(request);
@@ -49,9 +49,7 @@ Result<json> calibrate_answer(const json& request, const std::vector<truth::Land
   const auto frame = (*watch)->newest();
   if (!frame) return Error{(*watch)->address() + " has not sent an image yet"};
 
-  const Result<truth::Calibration> calibration = truth::calibrate(
-      landmarks, *clicks, *frame,
-      {.ball_radius = ball_radius, .focal_free = frame->depth.empty(), .k1_free = frame->depth.empty()});
+  const Result<truth::Calibration> calibration = calibrate_by(*clicks, *frame, on);
   json answer = truth::to_json(calibration);
   answer["saved"] = "";
   if (wish == request.end() || !wish->get<bool>() || !calibration || !calibration->refused.empty()) return answer;
@@ -79,11 +77,10 @@ void add_calibration_services(net::Services& services, const CalibratedField& on
                [&watches, &calibrations, landmarks](const json& request, const net::ClientContext&) {
                  return worded(kLandmarks, landmarks_answer(request, *landmarks, watches, calibrations));
                });
-  services.add(
-      kCalibrate, net::Services::For::questions,
-      [&watches, &calibrations, landmarks, radius = on.ball_radius](const json& request, const net::ClientContext&) {
-        return worded(kCalibrate, calibrate_answer(request, *landmarks, radius, watches, calibrations));
-      });
+  services.add(kCalibrate, net::Services::For::questions,
+               [&watches, &calibrations, on](const json& request, const net::ClientContext&) {
+                 return worded(kCalibrate, calibrate_answer(request, on, watches, calibrations));
+               });
 }
 
 }  // namespace robot::app

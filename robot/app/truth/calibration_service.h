@@ -10,12 +10,6 @@
 
 namespace robot::app {
 
-/// The field whose landmarks are clicked.
-struct CalibratedField {
-  sim::field::Field field;
-  double ball_radius = 0.05;  // [m]
-};
-
 /// Adds these services. `watches` and `calibrations` outlive the server.
 ///
 ///   /truth/landmarks  {"sensor": 1}  -> {"ok", "landmarks": [{"name", "x", "y", "z"}], "clicks": [{"landmark", "x", "y"}],

@@ -13,7 +13,14 @@ PlacedSensor placed_by(const truth::Calibration& calibration) {
           .error_p95 = calibration.robots.p95};
 }
 
-Result<Calibrations> Calibrations::open(std::filesystem::path path, std::string field) {
+Result<truth::Calibration> calibrate_by(const std::vector<truth::Click>& clicks, const truth::DepthFrame& image,
+                                        const CalibratedField& on) {
+  const bool ordinary = image.depth.empty();
+  return truth::calibrate(truth::landmarks_of(on.field), clicks, image,
+                          {.ball_radius = on.ball_radius, .focal_free = ordinary, .k1_free = ordinary});
+}
+
+Result<Calibrations> Calibrations::open(std::filesystem::path path, const std::string& rules) {
   truth::CalibrationFile file;
   std::error_code none;
   if (!path.empty() && std::filesystem::exists(path, none)) {
@@ -21,7 +28,7 @@ Result<Calibrations> Calibrations::open(std::filesystem::path path, std::string 
     if (!read) return read.failure();
     file = std::move(*read);
   }
-  return Calibrations(std::move(path), std::move(field), std::move(file));
+  return Calibrations(std::move(path), rules.substr(0, rules.find_first_of(":,")), std::move(file));
 }
 
 Result<std::optional<truth::SensorCalibration>> Calibrations::find(const std::string& address,

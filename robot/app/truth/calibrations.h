@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "robot/core/lock.h"
 #include "robot/core/result.h"
 #include "robot/truth/calibration/calibration_file.h"
+#include "sim/field/field.h"
 
 namespace robot::app {
 
@@ -21,11 +23,21 @@ struct PlacedSensor {
 /// Returns the place that a calibration gives.
 PlacedSensor placed_by(const truth::Calibration& calibration);
 
+/// The field whose landmarks are clicked.
+struct CalibratedField {
+  sim::field::Field field;
+  double ball_radius = 0.05;  // [m]
+};
+
+/// Calibrates the sensor of an image by clicks in it, as truth::calibrate(). The lens of an ordinary camera is fitted too.
+Result<truth::Calibration> calibrate_by(const std::vector<truth::Click>& clicks, const truth::DepthFrame& image,
+                                        const CalibratedField& on);
+
 /// Any thread.
 class Calibrations {
  public:
-  /// Reads the file, if it exists. `field` names the rules of the field: "spl2025". An empty path: nothing can be saved.
-  static Result<Calibrations> open(std::filesystem::path path, std::string field);
+  /// Reads the file, if it exists. The rules give the field: "spl2025:5". An empty path: nothing can be saved.
+  static Result<Calibrations> open(std::filesystem::path path, const std::string& rules);
 
   /// Returns the saved calibration of the sensor with this address, or nothing if the file has none. Returns an Error for one
   /// of another sensor, whose intrinsics differ, and for one of another field.
@@ -44,7 +56,7 @@ class Calibrations {
       : path_(std::move(path)), field_(std::move(field)), lock_(std::make_unique<Mutex>()), file_(std::move(file)) {}
 
   std::filesystem::path path_;
-  std::string field_;
+  std::string field_;            // the name of its rules: "spl2025"
   std::unique_ptr<Mutex> lock_;  // guards the file
   truth::CalibrationFile file_;
 };

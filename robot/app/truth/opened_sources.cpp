@@ -116,11 +116,6 @@ Result<void> OpenedSources::open_synthetic() {
 }
 
 Result<void> OpenedSources::open_recordings_and_sensors() {
-  if (!options_.tags.empty()) {
-    auto plan = truth::tags::read_tag_plan(options_.tags);
-    if (!plan) return plan.failure("--tags");
-    tags_ = std::move(*plan);
-  }
   opening_clock_ = std::make_unique<SessionClock>();
   std::uint64_t first_ns = std::numeric_limits<std::uint64_t>::max();
   for (const std::string& address : addresses_) {
@@ -143,8 +138,6 @@ Result<void> OpenedSources::open_recordings_and_sensors() {
 
 Result<std::unique_ptr<truth::DepthSource>> OpenedSources::open_one(const std::string& address) const {
   if (!truth::tags::is_picture_address(address)) return truth::open_source(address);
-  if (!tags_) return Error{address + ": expected --tags FILE, the plan of the printed tags"};
-  if (options_.calibration.empty()) return Error{address + ": expected --calibration FILE, where the camera stands"};
   return open_picture_sensor(address, *opening_clock_);
 }
 
@@ -157,8 +150,19 @@ void OpenedSources::show_game_in(memory::MemoryObject<foresight::GroundTruth>& s
   });
 }
 
-std::vector<std::unique_ptr<SensorWatch>> OpenedSources::watches(const Calibrations& calibrations,
-                                                                 TruthWriter& writer) {
+Result<truth::DepthFrame> OpenedSources::first_image(std::uint64_t longest_ns) {
+  truth::DepthSource& source = *sources_.front().source;
+  const std::uint64_t end_ns = monotonic_ns() + longest_ns;
+  while (true) {
+    auto frame = source.next();
+    if (frame && *frame) return std::move(**frame);
+    if (frame) return Error{source.address() + " has no image that can be read"};
+    if (source.live() && monotonic_ns() > end_ns) return frame.failure();
+  }
+}
+
+std::vector<std::unique_ptr<SensorWatch>> OpenedSources::watches(const Calibrations& calibrations, TruthWriter& writer,
+                                                                 const std::optional<truth::tags::TagPlan>& tags) {
   truth::DetectorOptions detection{.ball_radius = ball_radius_, .orange_ball = options_.orange_ball};
   if (game_) detection.colour_shift_x = 1;  // the colours of a synthetic sensor are shifted by a pixel
   const auto ball = options_.orange_ball ? std::optional(truth::tags::BallLook{.radius = ball_radius_}) : std::nullopt;
@@ -168,7 +172,7 @@ std::vector<std::unique_ptr<SensorWatch>> OpenedSources::watches(const Calibrati
     const bool paced = game_ != nullptr || !opened.source->live();
     watches.push_back(std::make_unique<SensorWatch>(
         SensorWatchOptions{.index = watches.size(),
-                           .finder = by_tags ? tag_finder(*tags_, ball) : depth_finder(rules_.field, detection),
+                           .finder = by_tags ? tag_finder(*tags, ball) : depth_finder(rules_.field, detection),
                            .paced = paced},
         std::move(opened.source), *clock_, calibrations, writer));
     if (opened.placed) watches.back()->place(*opened.placed);

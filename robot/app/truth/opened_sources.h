@@ -28,8 +28,13 @@ class OpenedSources {
   /// Writes the true world of the simulated game, tick by tick, to `simulated`, which outlives the watches.
   void show_game_in(memory::MemoryObject<foresight::GroundTruth>& simulated);
 
-  /// Hands each source to a watch of its own. Called once. All arguments and this outlive the watches.
-  std::vector<std::unique_ptr<SensorWatch>> watches(const Calibrations& calibrations, TruthWriter& writer);
+  /// Hands each source to a watch of its own. Called once. All arguments and this outlive the watches. `tags` is there if a
+  /// source is an ordinary camera.
+  std::vector<std::unique_ptr<SensorWatch>> watches(const Calibrations& calibrations, TruthWriter& writer,
+                                                    const std::optional<truth::tags::TagPlan>& tags);
+
+  /// Waits for the first image of the first source, `longest_ns` or a little longer. Returns an Error without one.
+  Result<truth::DepthFrame> first_image(std::uint64_t longest_ns);
 
  private:
   struct Opened {
@@ -49,7 +54,6 @@ class OpenedSources {
   double ball_radius_;
   std::unique_ptr<SessionClock> opening_clock_;  // of cameras; recordings have one of their own
   std::unique_ptr<SessionClock> clock_;
-  std::optional<truth::tags::TagPlan> tags_;
   std::unique_ptr<WatchedGame> game_;  // null without a synthetic sensor
   std::vector<Opened> sources_;
 };

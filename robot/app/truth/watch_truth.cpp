@@ -1,5 +1,6 @@
 #include "robot/app/truth/watch_truth.h"
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "robot/app/truth/opened_sources.h"
 #include "robot/body/attached/truth_door.h"
 #include "robot/core/files.h"
+#include "robot/truth/tags/picture_source.h"
 
 namespace robot::app {
 namespace {
@@ -73,6 +75,20 @@ Result<Kinds> kinds_of(const TruthOptions& options) {
   return kinds;
 }
 
+/// Returns the plan of the printed tags if a sensor is an ordinary camera, or an Error if something for it is missing.
+Result<std::optional<truth::tags::TagPlan>> tag_plan(const TruthOptions& options,
+                                                     const std::vector<std::string>& sensors) {
+  const auto camera = std::ranges::find_if(sensors, truth::tags::is_picture_address);
+  if (camera == sensors.end()) return std::optional<truth::tags::TagPlan>();
+  if (options.tags.empty())
+    return Error{"--source: " + *camera + ": expected --tags FILE, the plan of the printed tags"};
+  if (options.calibration.empty())
+    return Error{"--source: " + *camera + ": expected --calibration FILE, where the camera stands"};
+  auto plan = truth::tags::read_tag_plan(options.tags);
+  if (!plan) return plan.failure("--tags");
+  return std::optional(std::move(*plan));
+}
+
 RuntimeOptions runtime_options(const TruthOptions& options) {
   return {.program = "foresight-lab",
           .body = "truth",
@@ -103,12 +119,13 @@ std::string recorded_objects(const memory::Channels& channels, bool images) {
 Result<void> watch_truth(const TruthOptions& options) {
   const auto kinds = kinds_of(options);
   if (!kinds) return kinds.failure();
+  const auto tags = tag_plan(options, kinds->sensors);
+  if (!tags) return tags.failure();
   auto sources = OpenedSources::open(options, kinds->sensors);
   if (!sources) return sources.failure();
   if (const Result<void> usable = logging::check_session_name(options.recording.name); !usable)
     return usable.failure("--name");
-  auto calibrations =
-      Calibrations::open(options.calibration, options.rules.substr(0, options.rules.find_first_of(":,")));
+  auto calibrations = Calibrations::open(options.calibration, options.rules);
   if (!calibrations) return calibrations.failure("--calibration");
   block_end_signals();
 
@@ -118,7 +135,7 @@ Result<void> watch_truth(const TruthOptions& options) {
   TruthWriter writer(sources->count(), clock, field->world);
   sources->show_game_in(field->simulated);
   // before the runtime, whose server answers calibrations until its end
-  const std::vector<std::unique_ptr<SensorWatch>> watches = sources->watches(*calibrations, writer);
+  const std::vector<std::unique_ptr<SensorWatch>> watches = sources->watches(*calibrations, writer, *tags);
   Runtime runtime(runtime_options(options), clock,
                   {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
