@@ -22,6 +22,7 @@ std::unique_ptr<Command> relay_command(CLI::App& app);
 std::unique_ptr<Command> redecide_command(CLI::App& app);
 std::unique_ptr<Command> situation_command(CLI::App& app);
 std::unique_ptr<Command> what_if_command(CLI::App& app);
+std::unique_ptr<Command> smooth_command(CLI::App& app);
 std::unique_ptr<Command> synthesize_command(CLI::App& app);
 std::unique_ptr<Command> truth_command(CLI::App& app);
 

@@ -34,6 +34,7 @@ void to_proto(const truth::FusedTruth& truth, std::uint64_t sent_ns, foresight::
     if (robot.team) seen.set_team(*robot.team);
     if (robot.player) seen.set_player(*robot.player);
     if (robot.heading) seen.set_heading(static_cast<float>(*robot.heading));
+    if (robot.heading_deviation) seen.set_heading_deviation(static_cast<float>(*robot.heading_deviation));
     if (robot.fallen) seen.set_fallen(*robot.fallen);
   }
   for (const std::string& sentence : truth.disagreements) message.add_disagreements(sentence);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace robot::app {
 namespace {
 
@@ -73,6 +75,83 @@ TEST(SensorMessages, AMissingBallStaysMissing) {
   detections.ball = truth::SeenBall{.place = {.position = {-1, 0.25}}};
   to_proto(detections, message);
   EXPECT_EQ(message.ball().y(), 0.25f);
+}
+
+truth::Detections two_robots_and_a_ball() {
+  truth::Detections seen{.capture_ns = 7};
+  const Eigen::Matrix2d covariance{{4e-4, 1e-4}, {1e-4, 9e-4}};
+  seen.robots.push_back({.place = {.position = {1.25, -2}, .covariance = covariance}, .height = 0.5});
+  seen.robots.push_back({.place = {.position = {-1, 2}, .covariance = covariance},
+                         .heading = 0.5,
+                         .heading_deviation = 0.25,
+                         .team = 14,
+                         .player = 3});
+  seen.ball = truth::SeenBall{.place = {.position = {0.5, 0.25}, .covariance = covariance}};
+  return seen;
+}
+
+TEST(SensorMessages, DetectionsComeBackAsTheyWere) {
+  pb::TruthSensor message;
+  to_proto(two_robots_and_a_ball(), message);
+  const truth::Detections back = detections_of(message, 7);
+  const truth::Detections seen = two_robots_and_a_ball();
+  EXPECT_EQ(back.capture_ns, 7u);
+  ASSERT_EQ(back.robots.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(back.robots[i].place.position, seen.robots[i].place.position);
+    EXPECT_TRUE(back.robots[i].place.covariance.isApprox(seen.robots[i].place.covariance, 1e-6));
+    EXPECT_EQ(back.robots[i].height, seen.robots[i].height);
+    EXPECT_EQ(back.robots[i].heading, seen.robots[i].heading);
+    EXPECT_EQ(back.robots[i].heading_deviation, seen.robots[i].heading_deviation);
+    EXPECT_EQ(back.robots[i].team, seen.robots[i].team);
+    EXPECT_EQ(back.robots[i].player, seen.robots[i].player);
+  }
+  ASSERT_TRUE(back.ball);
+  EXPECT_EQ(back.ball->place.position, seen.ball->place.position);
+  EXPECT_FALSE(detections_of({}, 7).ball);
+}
+
+pb::TruthSensor placed(const truth::SensorPose& pose) {
+  pb::TruthSensor message;
+  to_proto(pose.intrinsics, *message.mutable_pinhole());
+  to_proto(pose, *message.mutable_place());
+  return message;
+}
+
+TEST(SensorMessages, APoseComesBackWithItsErrors) {
+  truth::SensorPose pose;
+  pose.intrinsics.focal_x = 580.5;
+  pose.field_from_sensor.linear() << 0, 1, 0, -1, 0, 0, 0, 0, 1;
+  pose.field_from_sensor.translation() = Eigen::Vector3d(1, -3, 2);
+  pose.depth_scale = 1.25;
+  EXPECT_EQ(placed(pose).place().covariance_size(), 0) << "it is exact";
+  for (int row = 0; row < 7; ++row)
+    for (int column = 0; column < 7; ++column) pose.covariance(row, column) = 1. / (1 << (row + column));
+  const auto back = pose_of(placed(pose));
+  ASSERT_TRUE(back) << back.error();
+  EXPECT_EQ(back->intrinsics.focal_x, 580.5);
+  EXPECT_TRUE(back->field_from_sensor.isApprox(pose.field_from_sensor));
+  EXPECT_EQ(back->depth_scale, 1.25);
+  EXPECT_EQ(back->covariance, pose.covariance);
+}
+
+TEST(SensorMessages, NumbersThatAreNoPoseAreRefused) {
+  const pb::TruthSensor good = placed({});
+  ASSERT_TRUE(pose_of(good));
+  pb::TruthSensor wrong = good;
+  wrong.mutable_place()->mutable_rotation()->RemoveLast();
+  EXPECT_EQ(pose_of(wrong).error(), "its place has a rotation of 8 numbers, expected 9");
+  wrong = good;
+  wrong.mutable_place()->add_covariance(1);
+  EXPECT_EQ(pose_of(wrong).error(), "its place has a covariance of 1 numbers, expected 28 or none");
+  for (const auto spoil : {+[](pb::TruthSensor::SensorPlace& place) { place.set_rotation(0, 2); },
+                           +[](pb::TruthSensor::SensorPlace& place) { place.set_rotation(0, -1); },
+                           +[](pb::TruthSensor::SensorPlace& place) { place.set_x(std::nanf("")); }}) {
+    wrong = good;
+    spoil(*wrong.mutable_place());
+    EXPECT_EQ(pose_of(wrong).error(), "its place is no pose");
+  }
+  EXPECT_FALSE(pose_of({}));
 }
 
 }  // namespace
