@@ -153,6 +153,32 @@ test("two sensors report one truth", async (t) => {
   );
 });
 
+test("a live robot beside the truth: its link is shown, and its clock is compared", async (t) => {
+  const robot = await start(
+    t,
+    temporaryFolder(t),
+    "foresight-robot",
+    "--body",
+    "sim",
+    "--team",
+    "14",
+    "--no-foresight",
+  );
+  const live = await Live.open(t, await watchField(t, "--source", "synthetic", "--robot", `127.0.0.1:${robot.port}`));
+  await live.subscribe("/lab/1/runtime");
+  await live.subscribe("/lab/1/clock");
+  const { links } = await until_(
+    live,
+    "/lab/1/runtime",
+    ({ links: all }) => all?.some(({ received }) => Number(received) > 0),
+    "poses of the robot",
+  );
+  assert.equal(links[0].state, "STATE_CONNECTED");
+  const sample = await until_(live, "/lab/1/clock", ({ peer }) => peer === links[0].robot, "its clock");
+  assert.equal(sample.source, "SOURCE_PEER");
+  assert.ok(!live.channels.has(`/${links[0].robot}/pose`), "the robot's objects stay at the robot");
+});
+
 test("the view Ground truth shows image, points and field of a sensor", async (t) => {
   const server = await watchField(t, "--source", "synthetic", "--seed", "7");
   const { page, problems } = await open(t, `${server.http}/#/ground-truth`, {
@@ -182,6 +208,7 @@ for (const [options, sentence] of [
   [["--source", "fakenect:/nowhere"], /nowhere/],
   [["--source", "synthetic", "--rules", "spl1812"], /spl1812/],
   [["--source", "ssl-vision:10.0.0.1:10006"], /multicast/],
+  [["--source", "synthetic", "--robot", "nobody"], /--robot: .*nobody/],
 ])
   test(`foresight-lab truth ${options.join(" ")} is refused in one sentence`, async (t) => {
     const { status, stderr } = await run("foresight-lab", "truth", ...options);

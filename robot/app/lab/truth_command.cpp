@@ -1,4 +1,5 @@
 // foresight-lab truth: sensors beside the field report where ball and robots are.
+#include "robot/app/clock_option.h"
 #include "robot/app/lab/commands.h"
 #include "robot/app/truth/watch_truth.h"
 #include "robot/truth/sensor/open_source.h"
@@ -38,6 +39,12 @@ class TruthCommand final : public Command {
     options().add_option("--blue", truth_.teams.blue, "team of SSL-Vision's blue robots")->capture_default_str();
     options().add_option("--interface", truth_.interface, "network interface of SSL-Vision's packets; default: all");
     options().add_option("--door", truth_.door, "socket of --source door; default: that of a robot's door");
+    options().add_option(
+        "--robot", truth_.robots,
+        "a live robot, as relay names it; once for each: its pose says which robot of the truth it is");
+    options().add_option("--robots", truth_.robots_file,
+                         "the robots file; default: $FORESIGHT_ROBOTS, else ~/.config/foresight/robots.json");
+    add_clock_option(options(), truth_.max_clock_offset);
     options().add_flag("--record-images", truth_.record_images,
                        "recordings contain images too: 18 MB a second and sensor");
     add_recording_options(options(), truth_.recording);

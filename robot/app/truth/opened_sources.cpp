@@ -130,6 +130,7 @@ Result<void> OpenedSources::open_recordings_and_sensors() {
     }
     sources_.push_back({.source = std::move(*source), .placed = {}});
   }
+  live_ = sources_.empty() || sources_.front().source->live();
   const bool recorded = first_ns != std::numeric_limits<std::uint64_t>::max();
   clock_ = recorded ? std::make_unique<SessionClock>(first_ns - monotonic_ns())
                     : std::make_unique<SessionClock>(opening_clock_->epoch_offset_ns());

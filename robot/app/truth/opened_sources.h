@@ -25,6 +25,9 @@ class OpenedSources {
   double ball_radius() const { return ball_radius_; }  // [m]
   std::size_t count() const { return sources_.size(); }
 
+  /// Reports whether the clock is this machine's: no source is a recording.
+  bool live() const { return live_; }
+
   /// Writes the true world of the simulated game, tick by tick, to `simulated`, which outlives the watches.
   void show_game_in(memory::MemoryObject<foresight::GroundTruth>& simulated);
 
@@ -54,6 +57,7 @@ class OpenedSources {
   double ball_radius_;
   std::unique_ptr<SessionClock> opening_clock_;  // of cameras; recordings have one of their own
   std::unique_ptr<SessionClock> clock_;
+  bool live_ = true;
   std::unique_ptr<WatchedGame> game_;  // null without a synthetic sensor
   std::vector<Opened> sources_;
 };

@@ -6,13 +6,16 @@
 #include <optional>
 #include <utility>
 
+#include "robot/app/clock_option.h"
 #include "robot/app/foxglove_download.h"
 #include "robot/app/lab_objects.h"
+#include "robot/app/relayed_robots.h"
 #include "robot/app/runtime.h"
 #include "robot/app/signals.h"
 #include "robot/app/truth/calibration_service.h"
 #include "robot/app/truth/feed_watch.h"
 #include "robot/app/truth/opened_sources.h"
+#include "robot/app/truth/robot_poses.h"
 #include "robot/body/attached/truth_door.h"
 #include "robot/core/files.h"
 #include "robot/truth/tags/picture_source.h"
@@ -89,7 +92,7 @@ Result<std::optional<truth::tags::TagPlan>> tag_plan(const TruthOptions& options
   return std::optional(std::move(*plan));
 }
 
-RuntimeOptions runtime_options(const TruthOptions& options) {
+RuntimeOptions runtime_options(const TruthOptions& options, const RelayedRobots& robots) {
   return {.program = "foresight-lab",
           .body = "truth",
           .robot = "truth",
@@ -98,7 +101,8 @@ RuntimeOptions runtime_options(const TruthOptions& options) {
           .log_folder = absolute_path(options.recording.log_folder),
           .log_bytes = options.recording.log_bytes(),
           .recent = logging::kRecentPastOfTeams,
-          .foxglove_file = foxglove_file};
+          .foxglove_file = foxglove_file,
+          .add_statistics = [&robots](auto& statistics) { robots.describe(statistics); }};
 }
 
 /// Returns the names of the recorded objects: without images, unless they are wanted.
@@ -127,6 +131,14 @@ Result<void> watch_truth(const TruthOptions& options) {
     return usable.failure("--name");
   auto calibrations = Calibrations::open(options.calibration, options.rules);
   if (!calibrations) return calibrations.failure("--calibration");
+  const auto most_offset_ns = clock_offset_ns(options.max_clock_offset);
+  if (!most_offset_ns) return most_offset_ns.failure();
+  if (!options.robots.empty() && !sources->live())
+    return Error{
+        "--robot: expected live sensors beside live robots, got a recording; foresight-lab smooth joins "
+        "recordings"};
+  const auto robots = RelayedRobots::find(options.robots, options.robots_file);
+  if (!robots) return robots.failure("--robot");
   block_end_signals();
 
   const SessionClock& clock = sources->clock();
@@ -136,7 +148,9 @@ Result<void> watch_truth(const TruthOptions& options) {
   sources->show_game_in(field->simulated);
   // before the runtime, whose server answers calibrations until its end
   const std::vector<std::unique_ptr<SensorWatch>> watches = sources->watches(*calibrations, writer, *tags);
-  Runtime runtime(runtime_options(options), clock,
+  memory::Channels robots_objects;
+  RobotPoses poses(robots_objects, writer);
+  Runtime runtime(runtime_options(options, **robots), clock,
                   {.runtime = own->runtime, .clock = own->clock_sample, .log = own->log});
   if (Result<void> listed = list(own, runtime.channels()); !listed) return listed;
   for (memory::Channel* object : std::initializer_list<memory::Channel*>{&field->world, &field->simulated})
@@ -168,7 +182,17 @@ Result<void> watch_truth(const TruthOptions& options) {
     if (Result<void> started = watch->start(); !started) return started;
   if (feed)
     if (Result<void> started = feed->start(); !started) return started;
-  runtime.run([] { return true; });
+  const Result<void> connected = (*robots)->connect({.robot = {},
+                                                     .pictures = lab::Pictures::none,
+                                                     .objects = {kPoseObject, kGameObject},
+                                                     .most_offset_ns = *most_offset_ns},
+                                                    robots_objects, clock, own->clock_sample);
+  if (!connected) return connected.failure();
+  runtime.run([&poses] {
+    poses.pass_on();
+    return true;
+  });
+  (*robots)->stop();
   for (const auto& watch : watches) watch->stop();
   return {};
 }

@@ -33,6 +33,12 @@ struct TruthOptions {
   std::string interface;       // on which SSL-Vision's packets come, such as "eth0"; empty: all
   std::filesystem::path door;  // socket of the door; empty: body::default_door()
 
+  /// Live robots, as foresight-lab relay names them. Their poses say which robot is which; their clocks are compared with
+  /// ours, and the comparison is recorded.
+  std::vector<std::string> robots;
+  std::filesystem::path robots_file;  // empty: lab::default_robots_file()
+  double max_clock_offset = 60;       // [s] greatest accepted offset of a robot's clock from ours
+
   RecordingSettings recording;
   bool record_images = false;  // depth images and colours too: 18 MB a second and sensor, or more
   ServerSettings server;

@@ -227,6 +227,8 @@ Result<void> Conversation::agree() {
 std::optional<memory::ChannelInfo> Conversation::wanted(const net::foxglove::Advertised& offered, bool& jpeg) const {
   const Pictures pictures = link_.options_.pictures;
   const std::string& topic = offered.info.topic;
+  const std::vector<std::string>& objects = link_.options_.objects;
+  if (!objects.empty() && std::ranges::find(objects, memory::object_name(topic).object) == objects.end()) return {};
   jpeg = text_at(offered.metadata, "derived") == "true";
   if (jpeg) {
     if (pictures != Pictures::jpeg || offered.info.schema.name != kCompressedImage || !topic.ends_with(kJpeg))

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "robot/core/clock.h"
 #include "robot/core/lock.h"
@@ -30,6 +31,7 @@ enum class Pictures {
 struct LinkOptions {
   RobotAddress robot;
   Pictures pictures = Pictures::jpeg;
+  std::vector<std::string> objects = {};        // those of the robot that are fetched, such as "pose"; empty: all
   bool lossless = false;                        // receive every message; otherwise the robot ends the connection
   std::uint64_t most_offset_ns = 60 * kSecond;  // greatest accepted offset of the robot's clock
   // gets the rules of the robot's game, if it reports them, before its first message; by the link's thread; may be empty

@@ -360,6 +360,18 @@ TEST_F(Relaying, ImagesArriveAsJpegUnderTheirOwnTopicOrRawOrNotAtAll) {
   }
 }
 
+TEST_F(Relaying, OnlyTheWantedObjectsAreFetched) {
+  Robot robot("14/2");
+  const auto ball = robot.add({.topic = "/14/2/ball", .message_encoding = "json", .schema = {}});
+  const auto pose = robot.add({.topic = "/14/2/pose", .message_encoding = "json", .schema = {}});
+  robot.start();
+  const auto relayed = link(robot, {.objects = {"pose"}});
+  EXPECT_TRUE(ball->write_bytes("a ball", 1));
+  EXPECT_TRUE(pose->write_bytes("a pose", 1));
+  wait_for("/14/2/pose", "a pose");
+  EXPECT_EQ(channels.all().size(), 1u);
+}
+
 TEST_F(Relaying, ARobotsOwnTopicsComeFromThatRobot) {
   Robot two("14/2"), three("14/3");
   const memory::ChannelInfo info{
