@@ -2,6 +2,7 @@
 import { cases, scratch, sleep, start, startClients } from "./programs.mjs";
 import { join } from "node:path";
 import { Report } from "./report.mjs";
+import { renderedGame } from "./truth_game.mjs";
 
 const kThesis = { 1: 9, 5: "9 to 11", 10: "9 to 11" }; // frames a second at its clients, table 2
 
@@ -74,6 +75,24 @@ async function tellTags(report, frames) {
   report.figure("printed tags: a picture of 1280x720, one thread", all.look_ms.median, "ms");
 }
 
+/** A game that two synthetic sensors watch, live and smoothed, beside the true places. */
+async function tellGame(report, seconds) {
+  const cm = (metres) => 100 * metres;
+  for (const [how, found] of Object.entries(await renderedGame(seconds))) {
+    const name = `rendered game, ${how}`;
+    report.figure(`${name}: robots, mean error`, cm(found.robots.mean), "cm", { atMost: 2.5 });
+    report.figure(`${name}: robots, p95 error`, cm(found.robots.p95), "cm", { atMost: 5 });
+    report.figure(`${name}: robots that are none, of a moment`, found.robots.strangers, "", { atMost: 0.02 });
+    report.figure(`${name}: robots not reported, of a moment`, found.unseen);
+    report.figure(`${name}: switched tracks`, found.switches, `in ${seconds} s`);
+    report.figure(`${name}: ball, median error`, cm(found.ball.median), "cm", { atMost: 1.2 });
+    report.figure(`${name}: ball, p95 error`, cm(found.ball.p95), "cm");
+    report.figure(`${name}: ball reported`, 100 * found.ball.seen, "% of moments");
+    const bar = how === "smoothed" ? { atMost: 5 } : {};
+    report.figure(`${name}: rolling ball, velocity, rms`, cm(found.velocity), "cm/s", bar);
+  }
+}
+
 /** The thesis's table 2: the truth of a sensor at 1, 5 and 10 clients. */
 async function tellClients(report, seconds) {
   for (const clients of [1, 5, 10]) {
@@ -103,13 +122,14 @@ async function tellClients(report, seconds) {
   }
 }
 
-export async function truth({ seconds = 20, probes = 200, files = 10_000 }) {
+export async function truth({ seconds = 20, probes = 200, files = 10_000, minutes = 5 }) {
   const report = new Report("truth", "how exact, fast and steady is ground truth, on synthetic images?");
   await tellFrames(report, probes);
   await tellCalibration(report, probes);
   await tellTracks(report);
   await tellOffsets(report, probes);
   if (files > 0) await tellTags(report, files);
+  if (minutes > 0) await tellGame(report, 60 * minutes);
   await tellClients(report, seconds);
   return report.finish();
 }

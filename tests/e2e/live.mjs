@@ -8,12 +8,16 @@ const { FileDescriptorSetSchema } = require("@bufbuild/protobuf/wkt");
 
 export const kSubprotocols = ["foxglove.sdk.v1", "foxglove.websocket.v1"];
 
-/** Decodes a message by a serialised descriptor set into protobuf JSON with the schema's field names. */
-export function decode(schemaName, descriptorSet, data) {
+/** Returns a function that decodes messages by a serialised descriptor set into protobuf JSON with the schema's field names. */
+export function decoderOf(schemaName, descriptorSet) {
   const registry = createFileRegistry(fromBinary(FileDescriptorSetSchema, descriptorSet));
   const schema = registry.getMessage(schemaName);
-  return toJson(schema, fromBinary(schema, data), { registry, useProtoFieldName: true, alwaysEmitImplicit: true });
+  const options = { registry, useProtoFieldName: true, alwaysEmitImplicit: true };
+  return (data) => toJson(schema, fromBinary(schema, data), options);
 }
+
+/** Decodes one message likewise. */
+export const decode = (schemaName, descriptorSet, data) => decoderOf(schemaName, descriptorSet)(data);
 
 export class Live {
   infos = []; // every serverInfo
