@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "robot/app/truth/calibrations.h"
@@ -11,18 +12,31 @@
 #include "robot/truth/frame/detections.h"
 #include "robot/truth/tags/ball_colour.h"
 #include "robot/truth/tags/tag_plan.h"
+#include "robot/truth/tags/tagged_robots.h"
 #include "robot/truth/tracks/sensor.h"
 #include "sim/field/field.h"
 
 namespace robot::app {
 
-/// Finds robots and ball in an image. Returns an Error for an image of another size than the calibration. One thread.
-using Find = std::function<Result<truth::Detections>(const truth::DepthFrame&)>;
+/// The finder of a sensor at one place. Used by one thread.
+class PlacedFinder {
+ public:
+  PlacedFinder() = default;
+  PlacedFinder(const PlacedFinder&) = delete;
+  PlacedFinder& operator=(const PlacedFinder&) = delete;
+  virtual ~PlacedFinder() = default;
+
+  /// Returns the robots and the ball in an image. Returns an Error for an image of another size than the calibration.
+  virtual Result<truth::Detections> find(const truth::DepthFrame& frame) = 0;
+
+  /// Returns the counts of tags that gave no robot, or nothing if it reads no tags.
+  virtual std::optional<truth::tags::RefusedTags> refused() const { return {}; }
+};
 
 /// A kind of sensor.
 struct Finder {
-  /// Returns the function for a sensor at this place. Returns an Error for a place that cannot be used.
-  std::function<Result<Find>(const PlacedSensor&)> at;
+  /// Returns the finder of a sensor at this place. Returns an Error for a place that cannot be used.
+  std::function<Result<std::unique_ptr<PlacedFinder>>(const PlacedSensor&)> at;
   truth::Ranging robots = truth::Ranging::depth;  // the way in which it measures the places of robots
 };
 

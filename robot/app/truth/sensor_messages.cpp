@@ -95,6 +95,13 @@ void to_proto(const truth::SensorPose& pose, pb::TruthSensor::SensorPlace& messa
       message.add_covariance(static_cast<float>(pose.covariance(row, column)));
 }
 
+void to_proto(const truth::tags::RefusedTags& refused, pb::TruthSensor::RefusedTags& message) {
+  message.set_unknown(refused.unknown);
+  message.set_repeated(refused.repeated);
+  message.set_implausible(refused.implausible);
+  message.set_contradictory(refused.contradictory);
+}
+
 void to_proto(const Eigen::Matrix2d& covariance, pb::GroundTruth::Covariance& message) {
   message.set_xx(static_cast<float>(covariance(0, 0)));
   message.set_xy(static_cast<float>(covariance(0, 1)));

@@ -9,6 +9,7 @@
 #include "robot/truth/frame/depth_frame.h"
 #include "robot/truth/frame/detections.h"
 #include "robot/truth/frame/sensor_pose.h"
+#include "robot/truth/tags/tagged_robots.h"
 
 namespace robot::app {
 
@@ -28,12 +29,14 @@ void to_proto(const truth::SensorPose& pose, pb::TruthSensor::SensorPlace& messa
 /// Fills the robots and the ball of `message`, and nothing else.
 void to_proto(const truth::Detections& detections, pb::TruthSensor& message);
 
+void to_proto(const truth::tags::RefusedTags& refused, pb::TruthSensor::RefusedTags& message);
+
+void to_proto(const Eigen::Matrix2d& covariance, pb::GroundTruth::Covariance& message);
+
 /// Returns what to_proto() wrote; `detected_ns` is 0. The tracks refuse places that are not finite.
 truth::Detections detections_of(const pb::TruthSensor& message, std::uint64_t capture_ns);
 
 /// Returns the pose that to_proto() wrote, with the pinhole of the message. Returns an Error for numbers that are no pose.
 Result<truth::SensorPose> pose_of(const pb::TruthSensor& message);
-
-void to_proto(const Eigen::Matrix2d& covariance, pb::GroundTruth::Covariance& message);
 
 }  // namespace robot::app

@@ -110,8 +110,8 @@ void SensorWatch::look(const std::shared_ptr<const truth::DepthFrame>& frame) {
   problem_.clear();
   take_place(*frame);
   seen_ = {};
-  if (find_) {
-    if (auto seen = find_(*frame)) {
+  if (finder_) {
+    if (auto seen = finder_->find(*frame)) {
       seen_ = std::move(*seen);
       seen_.detected_ns = clock_.now_ns();
     } else {
@@ -119,7 +119,7 @@ void SensorWatch::look(const std::shared_ptr<const truth::DepthFrame>& frame) {
     }
   }
   pulse_.add(monotonic_ns(), thread_cpu_ns() - begun_ns);
-  if (find_ && problem_.empty()) writer_.add(options_.index, seen_);
+  if (finder_ && problem_.empty()) writer_.add(options_.index, seen_);
   show(*frame);
 }
 
@@ -156,18 +156,18 @@ void SensorWatch::take_place(const truth::DepthFrame& frame) {
     }
   }
   if (wanted) use(*wanted);
-  if (!find_) problem_ = refusal_;
+  if (!finder_) problem_ = refusal_;
 }
 
 void SensorWatch::use(const PlacedSensor& placed) {
-  auto find = options_.finder.at(placed);
-  if (!find) {
-    refusal_ = find.error();
+  auto finder = options_.finder.at(placed);
+  if (!finder) {
+    refusal_ = finder.error();
     report(Level::error, name_, refusal_);
     return;
   }
   refusal_.clear();
-  find_ = std::move(*find);
+  finder_ = std::move(*finder);
   placed_ = placed;
   writer_.place(options_.index, {.pose = placed.pose, .robots = options_.finder.robots});
 }
@@ -199,6 +199,8 @@ void SensorWatch::tell(State state, std::uint64_t capture_ns) {
     message->mutable_place()->set_error_mean(static_cast<float>(placed_->error_mean));
     message->mutable_place()->set_error_p95(static_cast<float>(placed_->error_p95));
   }
+  if (const auto refused = finder_ ? finder_->refused() : std::nullopt)
+    to_proto(*refused, *message->mutable_refused_tags());
   if (state == State::TruthSensor_State_STATE_WATCHING) to_proto(seen_, *message);
   objects_->sensor.write(std::move(message), capture_ns);
 }

@@ -82,12 +82,12 @@ class SensorWatch {
   const std::shared_ptr<SensorObjects> objects_;
 
   // used by the sensor's thread only
-  Find find_;  // empty: not calibrated
+  std::unique_ptr<PlacedFinder> finder_;  // null: not calibrated
   std::optional<PlacedSensor> placed_;
   std::optional<truth::Intrinsics> pinhole_;  // of the newest image
   truth::Detections seen_;                    // in it
   std::string problem_;
-  std::string refusal_;  // the reason why find_ is empty; empty: nobody has calibrated the sensor
+  std::string refusal_;  // the reason why finder_ is null; empty: nobody has calibrated the sensor
   bool asked_ = false;   // for a saved calibration
   Pulse pulse_;
   std::uint64_t left_out_ = 0;               // images that came too late

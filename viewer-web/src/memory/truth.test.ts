@@ -66,3 +66,15 @@ test("a sensor with a whole pinhole and place can be projected, and one without 
   for (const name of Object.keys(kPinhole))
     expect(sensorOf(fields({ pinhole: fields({ ...kPinhole, [name]: undefined }) })).pinhole).toBeUndefined();
 });
+
+test("refused tags are counted, and a depth camera has no counts", () => {
+  expect(sensorOf(fields({})).refusedTags).toBeUndefined();
+  expect(sensorOf(fields({ refused_tags: undefined })).refusedTags).toBeUndefined();
+  const refused_tags = fields({ unknown: 3n, implausible: 1n });
+  expect(sensorOf(fields({ refused_tags })).refusedTags).toEqual({
+    unknown: 3,
+    repeated: 0,
+    implausible: 1,
+    contradictory: 0,
+  });
+});

@@ -10,6 +10,7 @@ import type {
   GroundTruth_TrueRobot,
   TruthSensor,
   TruthSensor_Pinhole,
+  TruthSensor_RefusedTags,
   TruthSensor_SensorPlace,
   WorldObject,
 } from "./schema";
@@ -114,6 +115,10 @@ export interface SensorPlace {
   depthScale: number;
 }
 
+/** The reasons why a printed tag gives no robot. */
+export const kTagRefusals = ["unknown", "repeated", "implausible", "contradictory"] as const;
+export type RefusedTags = Record<(typeof kTagRefusals)[number], number>;
+
 export interface Sensor {
   /** "" if it reports none. */
   state: "waiting" | "watching" | "ended" | "";
@@ -129,6 +134,8 @@ export interface Sensor {
   place: SensorPlace | undefined;
   /** [m] expected error of a place on the seen field; NaN if not calibrated. */
   errorMean: number;
+  /** Counts since the calibration. Undefined of a depth camera, and if it is not calibrated. */
+  refusedTags: RefusedTags | undefined;
   robots: TrueThing[];
   ball: TrueThing | undefined;
 }
@@ -161,9 +168,15 @@ export function sensorOf(fields: Fields<TruthSensor>): Sensor {
     pinhole: pinholeOf(fieldsOf(fields, "pinhole")),
     place: placeOf(place),
     errorMean: numberOf(place, "error_mean"),
+    refusedTags: fields.get("refused_tags") ? refusedTagsOf(fieldsOf(fields, "refused_tags")) : undefined,
     robots: thingsOf(listOf(fields, "robots")),
     ball: thingOf(fieldsOf(fields, "ball")),
   };
+}
+
+function refusedTagsOf(fields: Fields<TruthSensor_RefusedTags>): RefusedTags {
+  const counts = kTagRefusals.map((reason) => [reason, numberOf(fields, reason) || 0]);
+  return Object.fromEntries(counts) as RefusedTags;
 }
 
 function pinholeOf(fields: Fields<TruthSensor_Pinhole>): Pinhole | undefined {

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { calibratedOf } from "../memory/calibration";
 import { sensorOf } from "../memory/truth";
-import { calibrationWords, errorWords, sensorWords } from "./truth";
+import { calibrationWords, errorWords, refusedTagsWords, sensorWords } from "./truth";
 
 test("a sensor is described by its state, rate and calibration", () => {
   const none = sensorOf(new Map());
@@ -13,6 +13,14 @@ test("a sensor is described by its state, rate and calibration", () => {
   expect(sensorWords({ ...watching, state: "waiting", place, errorMean: 0.012 })).toBe(
     "waiting for images, expected error 1.2 cm",
   );
+});
+
+test("refused tags are told with their reasons, and nothing is told without any", () => {
+  const none = sensorOf(new Map());
+  expect(refusedTagsWords(none)).toBe("");
+  const counts = { unknown: 3, repeated: 0, implausible: 1, contradictory: 0 };
+  expect(refusedTagsWords({ ...none, refusedTags: counts })).toBe("tags refused: 3 unknown, 1 implausible");
+  expect(refusedTagsWords({ ...none, refusedTags: { ...counts, unknown: 0, implausible: 0 } })).toBe("");
 });
 
 test("errors that are not known are not told", () => {

@@ -1,7 +1,7 @@
 // Sentences about ground truth: sensors, errors, and the quality of a calibration.
 
 import type { Calibrated } from "../memory/calibration";
-import type { Sensor } from "../memory/truth";
+import { kTagRefusals, type Sensor } from "../memory/truth";
 import type { MeanErrors } from "../memory/truth_errors";
 
 /** "1.9 cm", or "–" for a number that is not known. */
@@ -23,6 +23,15 @@ export function sensorWords({ state, rate, detection_ms, place, errorMean }: Sen
   if (!place) words.push("not calibrated, so nothing is detected");
   else if (Number.isFinite(errorMean) && errorMean > 0) words.push(`expected error ${centimetres(errorMean)}`);
   return words.join(", ");
+}
+
+/** Such as "tags refused: 3 unknown, 1 implausible", or "" if no tag was refused. */
+export function refusedTagsWords({ refusedTags }: Sensor): string {
+  const counts = kTagRefusals
+    .map((reason) => ({ reason, count: refusedTags?.[reason] ?? 0 }))
+    .filter(({ count }) => count > 0)
+    .map(({ reason, count }) => `${count} ${reason}`);
+  return counts.length > 0 ? `tags refused: ${counts.join(", ")}` : "";
 }
 
 /** The error of the fused truth against true positions, or "" without any. */

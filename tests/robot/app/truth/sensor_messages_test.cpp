@@ -61,6 +61,15 @@ TEST(SensorMessages, ThePlaceIsTheRotationRowByRow) {
   EXPECT_FLOAT_EQ(place.depth_scale(), 1.01f);
 }
 
+TEST(SensorMessages, RefusedTagsAreCountedByTheirReasons) {
+  pb::TruthSensor::RefusedTags message;
+  to_proto({.unknown = 1, .repeated = 2, .implausible = 3, .contradictory = 4}, message);
+  EXPECT_EQ(message.unknown(), 1u);
+  EXPECT_EQ(message.repeated(), 2u);
+  EXPECT_EQ(message.implausible(), 3u);
+  EXPECT_EQ(message.contradictory(), 4u);
+}
+
 TEST(SensorMessages, AMissingBallStaysMissing) {
   truth::Detections detections;
   detections.robots.push_back({.place = {.position = {1, 2}}, .heading = 0.5, .team = 14, .player = 3});

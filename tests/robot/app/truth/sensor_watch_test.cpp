@@ -42,18 +42,24 @@ GivenSource::Answer image_at(std::uint64_t capture_ns) {
   return std::optional(frame);
 }
 
+/// A finder that finds one robot in each image.
+class OneRobot final : public PlacedFinder {
+ public:
+  Result<truth::Detections> find(const truth::DepthFrame& frame) override {
+    truth::Detections seen{.capture_ns = frame.capture_ns};
+    seen.robots.push_back({.place = {.position = {1, 2}}, .height = 0.57});
+    return seen;
+  }
+};
+
 class Watching : public testing::Test {
  protected:
   Watching() { world.announce("/truth/world", memory::Delivery::latest, clock); }
 
-  /// Starts a watch of a source. Its finder finds one robot in each image.
+  /// Starts a watch of a source.
   void watch(std::deque<GivenSource::Answer> answers, bool live) {
-    const Finder finder{.at = [](const PlacedSensor&) -> Result<Find> {
-      return Find([](const truth::DepthFrame& frame) -> Result<truth::Detections> {
-        truth::Detections seen{.capture_ns = frame.capture_ns};
-        seen.robots.push_back({.place = {.position = {1, 2}}, .height = 0.57});
-        return seen;
-      });
+    const Finder finder{.at = [](const PlacedSensor&) -> Result<std::unique_ptr<PlacedFinder>> {
+      return std::unique_ptr<PlacedFinder>(std::make_unique<OneRobot>());
     }};
     watched = std::make_unique<SensorWatch>(SensorWatchOptions{.finder = finder, .paced = !live},
                                             std::make_unique<GivenSource>(std::move(answers), live), clock,
@@ -88,6 +94,7 @@ TEST_F(Watching, ARecordingIsShownToItsEnd) {
   ASSERT_TRUE(tests::eventually([&] { return told().state() == foresight::TruthSensor::STATE_ENDED; }));
   EXPECT_EQ(images(), 3u);
   EXPECT_EQ(world.read()->capture_ns(), now_ns + 60 * kMillisecond);
+  EXPECT_FALSE(told().has_refused_tags()) << "it reads no tags";
 }
 
 TEST_F(Watching, ADamagedImageIsToldAndTheNextOneIsUsed) {

@@ -24,10 +24,11 @@ truth::tags::TagPlan plan_of_one() {
   return plan;
 }
 
-/// Writes a picture of a robot at (0.1, 0.05) some times.
+/// Writes a picture of a robot at (0.1, 0.05), and of a tag that the plan lacks, some times.
 void write_pictures(const std::filesystem::path& folder, int count) {
   tests::Things things;
   things.push_back(tests::printed_tag(kTag, tests::flat_tag({0.1, 0.05, 0.5}, 0.3), 0.14));
+  things.push_back(tests::printed_tag(kTag + 1, tests::flat_tag({-0.3, -0.05, 0.5}, 0.3), 0.14));
   const auto picture = tests::Renderer(small_camera()).render(things, {});
   for (int i = 0; i < count; ++i) {
     std::ofstream file(folder / ("picture_" + std::to_string(100 + i) + ".ppm"), std::ios::binary);
@@ -43,7 +44,7 @@ PlacedSensor placed() {
   return sensor;
 }
 
-TEST(TaggedRobot, IsNamedInTheTruth) {
+TEST(TaggedRobot, IsNamedInTheTruthAndOtherTagsAreCounted) {
   const tests::TemporaryFolder folder;
   write_pictures(folder.path(), 12);
   const SessionClock clock(1'000'000'000 - monotonic_ns());  // the first picture is of 1 s after the epoch
@@ -69,6 +70,11 @@ TEST(TaggedRobot, IsNamedInTheTruth) {
   EXPECT_NEAR(robot.x(), 0.1, 0.02);
   EXPECT_NEAR(robot.y(), 0.05, 0.02);
   EXPECT_TRUE(robot.has_heading());
+  foresight::TruthSensor told;
+  const auto report = channels.find("/truth/1/sensor")->newest();
+  ASSERT_TRUE(told.ParseFromArray(report->bytes().data(), static_cast<int>(report->bytes().size())));
+  EXPECT_GE(told.refused_tags().unknown(), 1u);
+  EXPECT_EQ(told.refused_tags().implausible(), 0u);
   const auto color = channels.find("/truth/1/color")->newest();
   ASSERT_TRUE(color);
   EXPECT_FALSE(channels.find("/truth/1/depth")->newest()) << "an ordinary camera measures no depth";
