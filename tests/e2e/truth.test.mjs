@@ -61,6 +61,19 @@ test("a synthetic sensor finds the robots of a simulated game, and says how well
   assert.ok(BigInt(world.sent_ns) >= BigInt(world.detected_ns) && BigInt(world.detected_ns) > 0n);
 });
 
+test("a calibrated sensor learns the empty field from its next images", async (t) => {
+  const live = await Live.open(t, await watchField(t, "--source", "synthetic", "--seed", "7"));
+  await live.subscribe("/truth/1/sensor");
+  await until_(live, "/truth/1/sensor", ({ state }) => state === "STATE_WATCHING", "an image");
+  assert.equal((await live.call("/truth/background", { sensor: 1 })).images, 15);
+  await until_(
+    live,
+    "/truth/1/sensor",
+    ({ background_images: images, background_awaited: awaited }) => images === 15 && !awaited,
+    "the empty field",
+  );
+});
+
 test("a sensor is calibrated by clicks, and the calibration is used at once and after a restart", async (t) => {
   const folder = temporaryFolder(t);
   const exact = await Live.open(t, await watchField(t, "--source", "synthetic", "--seed", "7"));
@@ -73,6 +86,8 @@ test("a sensor is calibrated by clicks, and the calibration is used at once and 
   await live.subscribe("/truth/1/sensor");
   const blind = await until_(live, "/truth/1/sensor", ({ state }) => state === "STATE_WATCHING", "an image");
   assert.equal(blind.place, undefined, "nobody knows where the sensor is");
+  const { error } = await live.call("/truth/background", { sensor: 1 });
+  assert.match(error, /sensor 1 is not calibrated/);
 
   const { landmarks, clicks: none, file: name } = await live.call("/truth/landmarks", { sensor: 1 });
   assert.deepEqual(none, []);

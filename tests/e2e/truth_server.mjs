@@ -15,6 +15,7 @@ const kField = {
   mark: 1.3,
   goal: 1.6,
 };
+const kBackgroundImages = 15; // of the empty field
 const kFrames = 24; // they are played again and again
 const kRobotRadius = 0.12,
   kRobotHeight = 0.58,
@@ -265,7 +266,7 @@ function calibrate(start, { clicks, save }) {
 
 const stamp = (ns) => ({ seconds: ns / 1_000_000_000n, nanos: Number(ns % 1_000_000_000n) });
 
-/** Starts it; returns {port, pose, requests, state}. `state` may be changed: {problem, calibrated, hz}. */
+/** Starts it; returns {port, pose, requests, state}. `state` may be changed: {problem, calibrated, hz, background}. */
 export async function truthServer(t, { colour = true, clicks = [], hz = 30 } = {}) {
   const pose = lookingAt([0, -4.1, 2.1], [0, -0.4, 0]);
   const other = lookingAt([3.2, 3.9, 1.9], [1.2, 0.4, 0]);
@@ -290,8 +291,8 @@ export async function truthServer(t, { colour = true, clicks = [], hz = 30 } = {
     schema,
     metadata: {},
   }));
-  const services = ["/truth/landmarks", "/truth/calibrate"];
-  const state = { problem: "", calibrated: true, hz };
+  const services = ["/truth/landmarks", "/truth/calibrate", "/truth/background"];
+  const state = { problem: "", calibrated: true, hz, background: { images: 0, awaited: 0 } };
   const requests = [];
   const frames = framesOf(pose);
   const rgb = colourOf(pose);
@@ -302,6 +303,10 @@ export async function truthServer(t, { colour = true, clicks = [], hz = 30 } = {
   function answer(name, request) {
     requests.push({ name, request });
     if (name === "/truth/landmarks") return { landmarks: kLandmarks, clicks, file: "lab.json" };
+    if (name === "/truth/background") {
+      state.background.awaited = kBackgroundImages;
+      return { ok: true, images: kBackgroundImages };
+    }
     return calibrate(moved(pose, [0.01, -0.01, 0.005, 0.05, -0.04, 0.03]), request);
   }
   function call(socket, bytes) {
@@ -403,12 +408,19 @@ export async function truthServer(t, { colour = true, clicks = [], hz = 30 } = {
       ball: { x: ballAt(time).x, y: ballAt(time).y },
     };
     publish("/truth/simulated", ns, truth.bytes(real));
+    const { background } = state;
+    if (background.awaited > 0) {
+      --background.awaited;
+      background.images = Math.min(kBackgroundImages, background.images + 1);
+    }
     const report = {
       state: "STATE_WATCHING",
       address: "synthetic",
       problem: state.problem,
       rateHz: state.hz,
       detectionMs: 0.8,
+      backgroundImages: background.images,
+      backgroundAwaited: background.awaited,
     };
     publish(
       "/truth/1/sensor",

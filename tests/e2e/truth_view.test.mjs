@@ -86,6 +86,21 @@ test("a sensor without images says why, and one without a place is not calibrate
   assert.deepEqual(problems, []);
 });
 
+test("a sensor learns the empty field, and says so", async (t) => {
+  const truth = await truthServer(t);
+  const { page, problems } = await openTruth(t, { truth });
+  await page.getByRole("button", { name: "empty field" }).click();
+  const panel = page.getByRole("region", { name: "Empty field" });
+  await panel.getByText(/Nobody may stand on the field/).waitFor();
+  await panel.getByText("not learned: depths are compared with a flat carpet").waitFor();
+  await panel.getByRole("button", { name: "Learn the empty field" }).click();
+  await panel.getByText("learned from 15 images").waitFor();
+  await page.getByRole("status", { name: "Sensor" }).getByText("empty field learned from 15 images").waitFor();
+  assert.deepEqual(truth.requests.at(-1), { name: "/truth/background", request: { sensor: 1 } });
+  await shootEach(page, "ground-truth-empty-field");
+  assert.deepEqual(problems, []);
+});
+
 test("a server of ground truth opens with this view, and others do not offer it", async (t) => {
   const truth = await truthServer(t);
   const { page } = await openTruth(t, { truth, view: "" });

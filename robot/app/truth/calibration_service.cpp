@@ -60,6 +60,14 @@ Result<json> calibrate_answer(const json& request, const CalibratedField& on, co
   return answer;
 }
 
+Result<json> background_answer(const json& request, const Watches& watches) {
+  const auto watch = watch_of(request, watches);
+  if (!watch) return watch.failure();
+  const auto images = (*watch)->learn_background();
+  if (!images) return images.failure();
+  return json{{"images", *images}};
+}
+
 /// Returns the answer of a service with that name.
 json worded(const char* name, Result<json> answer) {
   if (!answer) return net::failure(std::string(name) + ": " + answer.error());
@@ -72,7 +80,8 @@ json worded(const char* name, Result<json> answer) {
 void add_calibration_services(net::Services& services, const CalibratedField& on, const Watches& watches,
                               Calibrations& calibrations) {
   const auto landmarks = std::make_shared<const std::vector<truth::Landmark>>(truth::landmarks_of(on.field));
-  constexpr const char *kLandmarks = "/truth/landmarks", *kCalibrate = "/truth/calibrate";
+  constexpr const char *kLandmarks = "/truth/landmarks", *kCalibrate = "/truth/calibrate",
+                       *kBackground = "/truth/background";
   services.add(kLandmarks, net::Services::For::questions,
                [&watches, &calibrations, landmarks](const json& request, const net::ClientContext&) {
                  return worded(kLandmarks, landmarks_answer(request, *landmarks, watches, calibrations));
@@ -81,6 +90,9 @@ void add_calibration_services(net::Services& services, const CalibratedField& on
                [&watches, &calibrations, on](const json& request, const net::ClientContext&) {
                  return worded(kCalibrate, calibrate_answer(request, on, watches, calibrations));
                });
+  services.add(kBackground, net::Services::For::questions, [&watches](const json& request, const net::ClientContext&) {
+    return worded(kBackground, background_answer(request, watches));
+  });
 }
 
 }  // namespace robot::app

@@ -1,4 +1,4 @@
-// The services with which the viewer calibrates a sensor.
+// The services with which the viewer calibrates a sensor and makes it learn the empty field.
 #pragma once
 
 #include <memory>
@@ -22,6 +22,10 @@ namespace robot::app {
 ///
 /// with the members of robot/truth/calibration/calibration_json.h. The newest image gives the carpet. With "save", a good
 /// calibration is written to the file, whose name is "saved", and the sensor uses it at once. A refused one is not saved.
+///
+///   /truth/background  {"sensor": 1}  -> {"ok", "images"}
+///
+/// The sensor takes this number of its next images as the empty field. TruthSensor counts them.
 void add_calibration_services(net::Services& services, const CalibratedField& on,
                               const std::vector<std::unique_ptr<SensorWatch>>& watches, Calibrations& calibrations);
 

@@ -16,6 +16,8 @@ class DepthFinder final : public PlacedFinder {
   explicit DepthFinder(truth::Detector detector) : detector_(std::move(detector)) {}
 
   Result<truth::Detections> find(const truth::DepthFrame& frame) override { return detector_.detect(frame); }
+  Result<void> learn_background(const truth::DepthFrame& frame) override { return detector_.learn_background(frame); }
+  std::size_t background_images() const override { return detector_.background_images(); }
 
  private:
   truth::Detector detector_;
@@ -37,6 +39,10 @@ class TagFinder final : public PlacedFinder {
 };
 
 }  // namespace
+
+Result<void> PlacedFinder::learn_background(const truth::DepthFrame&) {
+  return Error{"an ordinary camera has no depths, so it cannot learn the empty field"};
+}
 
 Finder depth_finder(const sim::field::Field& field, const truth::DetectorOptions& options) {
   return {.at = [field, options](const PlacedSensor& placed) -> MadeFinder {

@@ -7,6 +7,7 @@
 
 #include "robot/app/truth/calibrations.h"
 #include "robot/core/result.h"
+#include "robot/truth/detection/background.h"
 #include "robot/truth/detection/detector_options.h"
 #include "robot/truth/frame/depth_frame.h"
 #include "robot/truth/frame/detections.h"
@@ -28,6 +29,16 @@ class PlacedFinder {
 
   /// Returns the robots and the ball in an image. Returns an Error for an image of another size than the calibration.
   virtual Result<truth::Detections> find(const truth::DepthFrame& frame) = 0;
+
+  /// Images that replace the whole background.
+  static constexpr std::size_t kBackgroundImages = truth::Background::kMost;
+
+  /// Takes an image of the empty field, with which later ones are compared. Returns an Error for an image of another size,
+  /// and if it does not compare depths.
+  virtual Result<void> learn_background(const truth::DepthFrame& frame);
+
+  /// Returns the number of images of the empty field that are in use, up to kBackgroundImages.
+  virtual std::size_t background_images() const { return 0; }
 
   /// Returns the counts of tags that gave no robot, or nothing if it reads no tags.
   virtual std::optional<truth::tags::RefusedTags> refused() const { return {}; }

@@ -67,6 +67,19 @@ std::shared_ptr<const truth::DepthFrame> SensorWatch::newest() const {
 void SensorWatch::place(const PlacedSensor& placed) {
   const std::lock_guard guard(lock_);
   wanted_ = placed;
+  background_wanted_ = false;
+}
+
+Result<std::size_t> SensorWatch::learn_background() {
+  const std::lock_guard guard(lock_);
+  const auto refused = [this](const char* reason) {
+    return Error{name_ + reason + ", so it cannot learn the empty field"};
+  };
+  if (!watching_) return refused(" sends no images now");
+  if (newest_->depth.empty()) return refused(" is an ordinary camera without depths");
+  if (!calibrated_) return refused(" is not calibrated");
+  background_wanted_ = true;
+  return PlacedFinder::kBackgroundImages;
 }
 
 void SensorWatch::run() {
@@ -109,18 +122,38 @@ void SensorWatch::look(const std::shared_ptr<const truth::DepthFrame>& frame) {
   const std::uint64_t begun_ns = thread_cpu_ns();
   problem_.clear();
   take_place(*frame);
-  seen_ = {};
-  if (finder_) {
-    if (auto seen = finder_->find(*frame)) {
-      seen_ = std::move(*seen);
-      seen_.detected_ns = clock_.now_ns();
-    } else {
-      problem_ = seen.error();
-    }
-  }
+  begin_background();
+  const bool searched = search(*frame);
   pulse_.add(monotonic_ns(), thread_cpu_ns() - begun_ns);
-  if (finder_ && problem_.empty()) writer_.add(options_.index, seen_);
+  if (searched) writer_.add(options_.index, seen_);
   show(*frame);
+}
+
+bool SensorWatch::search(const truth::DepthFrame& frame) {
+  seen_ = {};
+  if (!finder_) return false;
+  if (background_awaited_ > 0) {
+    learn(frame);
+    return false;
+  }
+  auto seen = finder_->find(frame);
+  if (!seen) {
+    problem_ = seen.error();
+    return false;
+  }
+  seen_ = std::move(*seen);
+  seen_.detected_ns = clock_.now_ns();
+  return true;
+}
+
+/// The image is not searched too, because the search after each change of the background takes 100 ms.
+void SensorWatch::learn(const truth::DepthFrame& frame) {
+  writer_.lost(options_.index);
+  --background_awaited_;
+  if (const Result<void> learned = finder_->learn_background(frame); !learned) {
+    problem_ = learned.error();
+    background_awaited_ = 0;
+  }
 }
 
 void SensorWatch::leave_out() {
@@ -159,6 +192,12 @@ void SensorWatch::take_place(const truth::DepthFrame& frame) {
   if (!finder_) problem_ = refusal_;
 }
 
+void SensorWatch::begin_background() {
+  const std::lock_guard guard(lock_);
+  if (background_wanted_) background_awaited_ = PlacedFinder::kBackgroundImages;
+  background_wanted_ = false;
+}
+
 void SensorWatch::use(const PlacedSensor& placed) {
   auto finder = options_.finder.at(placed);
   if (!finder) {
@@ -168,6 +207,7 @@ void SensorWatch::use(const PlacedSensor& placed) {
   }
   refusal_.clear();
   finder_ = std::move(*finder);
+  background_awaited_ = 0;
   placed_ = placed;
   writer_.place(options_.index, {.pose = placed.pose, .robots = options_.finder.robots});
 }
@@ -186,6 +226,11 @@ void SensorWatch::show(const truth::DepthFrame& frame) {
 }
 
 void SensorWatch::tell(State state, std::uint64_t capture_ns) {
+  {
+    const std::lock_guard guard(lock_);
+    watching_ = state == State::TruthSensor_State_STATE_WATCHING;
+    calibrated_ = finder_ != nullptr;
+  }
   auto message = objects_->sensor.draft();
   message->set_state(state);
   message->set_address(source_->address());
@@ -199,8 +244,11 @@ void SensorWatch::tell(State state, std::uint64_t capture_ns) {
     message->mutable_place()->set_error_mean(static_cast<float>(placed_->error_mean));
     message->mutable_place()->set_error_p95(static_cast<float>(placed_->error_p95));
   }
-  if (const auto refused = finder_ ? finder_->refused() : std::nullopt)
-    to_proto(*refused, *message->mutable_refused_tags());
+  if (finder_) {
+    message->set_background_images(static_cast<std::uint32_t>(finder_->background_images()));
+    if (const auto refused = finder_->refused()) to_proto(*refused, *message->mutable_refused_tags());
+  }
+  message->set_background_awaited(static_cast<std::uint32_t>(background_awaited_));
   if (state == State::TruthSensor_State_STATE_WATCHING) to_proto(seen_, *message);
   objects_->sensor.write(std::move(message), capture_ns);
 }

@@ -61,6 +61,11 @@ class SensorWatch {
   /// Makes the thread use a new place of the sensor, from the next image on. Any thread.
   void place(const PlacedSensor& placed);
 
+  /// Makes the thread take the next images as the empty field, and returns their number. Nothing is detected meanwhile.
+  /// A new place begins without a background. Returns an Error if the sensor sends no images now, for an ordinary camera, and
+  /// for a sensor that is not calibrated. Any thread.
+  Result<std::size_t> learn_background();
+
  private:
   void run();
   bool read_one();
@@ -70,6 +75,9 @@ class SensorWatch {
   bool wait_until(std::uint64_t capture_ns);  // false: the thread ends meanwhile
   void take_place(const truth::DepthFrame& frame);
   void use(const PlacedSensor& placed);
+  void begin_background();
+  bool search(const truth::DepthFrame& frame);  // false: seen_ is empty
+  void learn(const truth::DepthFrame& frame);
   void show(const truth::DepthFrame& frame);
   void tell(foresight::TruthSensor::State state, std::uint64_t capture_ns);
 
@@ -87,15 +95,18 @@ class SensorWatch {
   std::optional<truth::Intrinsics> pinhole_;  // of the newest image
   truth::Detections seen_;                    // in it
   std::string problem_;
-  std::string refusal_;  // the reason why finder_ is null; empty: nobody has calibrated the sensor
-  bool asked_ = false;   // for a saved calibration
+  std::string refusal_;                 // the reason why finder_ is null; empty: nobody has calibrated the sensor
+  bool asked_ = false;                  // for a saved calibration
+  std::size_t background_awaited_ = 0;  // images of the empty field to come
   Pulse pulse_;
   std::uint64_t left_out_ = 0;               // images that came too late
   std::uint64_t shown_ns_ = monotonic_ns();  // [ns, monotonic] of the newest image that was not left out
 
-  mutable Mutex lock_;  // guards the next two, and is held when stopping_ changes
+  mutable Mutex lock_;  // guards the next five, and is held when stopping_ changes
   std::shared_ptr<const truth::DepthFrame> newest_;
   std::optional<PlacedSensor> wanted_;
+  bool background_wanted_ = false;
+  bool watching_ = false, calibrated_ = false;  // as last told
   std::atomic<bool> stopping_ = false;
   Condition changed_;
   std::thread thread_;  // last, because it uses all the others

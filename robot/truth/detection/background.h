@@ -12,6 +12,9 @@ class Background {
   /// The newest images count: 15 keep 9 MB and reduce the noise by a factor of 3.
   static constexpr std::size_t kMost = 15;
 
+  /// Returns the number of images that count.
+  std::size_t images() const { return images_.size(); }
+
   /// Adds an image. All images have the same size.
   void add(const std::vector<std::uint16_t>& depths);
 

@@ -32,6 +32,9 @@ class Detector {
   /// this median instead of a plane: nets, cables and waves of the carpet are no things. The next detect() takes 100 ms.
   Result<void> learn_background(const DepthFrame& frame);
 
+  /// Returns the number of images in this median, at most 15; 0: each pixel is compared with a plane.
+  std::size_t background_images() const { return background_.images(); }
+
   /// Returns the robots and the ball in an image. Returns an Error for an image of another size. `detected_ns` is 0, since
   /// pure code knows no clock. Memory is kept, so that after some images only the list of robots is allocated.
   Result<Detections> detect(const DepthFrame& frame);

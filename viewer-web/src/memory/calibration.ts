@@ -5,6 +5,8 @@ import { placeFrom, type SensorPlace } from "./truth";
 
 export const kLandmarks = "/truth/landmarks";
 export const kCalibrate = "/truth/calibrate";
+/** A sensor takes its next images as the empty field. */
+export const kBackground = "/truth/background";
 
 /** A point of the field that people recognise in an image: a corner, a crossing, the foot of a post. */
 export interface Landmark {

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { memoryWith } from "./test_memory";
-import { labelOf, sensorNumbers, sensorOf, thingsIn, truthOf } from "./truth";
+import { comparesDepths, labelOf, sensorNumbers, sensorOf, thingsIn, truthOf } from "./truth";
 import { EnumValue, type Value } from "./value";
 
 const fields = (entries: Record<string, Value>) => new Map(Object.entries(entries));
@@ -77,4 +77,13 @@ test("refused tags are counted, and a depth camera has no counts", () => {
     implausible: 1,
     contradictory: 0,
   });
+});
+
+test("images of the empty field are counted, and a calibrated depth camera compares its depths with them", () => {
+  expect(sensorOf(fields({})).background).toEqual({ images: 0, awaited: 0 });
+  const learning = sensorOf(fields({ background_images: 7, background_awaited: 8, place: fields(kPlace) }));
+  expect(learning.background).toEqual({ images: 7, awaited: 8 });
+  expect(comparesDepths(learning)).toBe(true);
+  expect(comparesDepths(sensorOf(fields({})))).toBe(false);
+  expect(comparesDepths(sensorOf(fields({ place: fields(kPlace), refused_tags: fields({}) })))).toBe(false);
 });

@@ -136,9 +136,14 @@ export interface Sensor {
   errorMean: number;
   /** Counts since the calibration. Undefined of a depth camera, and if it is not calibrated. */
   refusedTags: RefusedTags | undefined;
+  /** Counts of images of the empty field: those that depths are compared with, and those to come. */
+  background: { images: number; awaited: number };
   robots: TrueThing[];
   ball: TrueThing | undefined;
 }
+
+/** Reports whether it compares depths with an empty field: it is calibrated, and no ordinary camera. */
+export const comparesDepths = ({ place, refusedTags }: Sensor): boolean => place !== undefined && !refusedTags;
 
 const kSensorTopic = /^\/truth\/(\d{1,6})\/sensor$/;
 
@@ -169,6 +174,10 @@ export function sensorOf(fields: Fields<TruthSensor>): Sensor {
     place: placeOf(place),
     errorMean: numberOf(place, "error_mean"),
     refusedTags: fields.get("refused_tags") ? refusedTagsOf(fieldsOf(fields, "refused_tags")) : undefined,
+    background: {
+      images: numberOf(fields, "background_images") || 0,
+      awaited: numberOf(fields, "background_awaited") || 0,
+    },
     robots: thingsOf(listOf(fields, "robots")),
     ball: thingOf(fieldsOf(fields, "ball")),
   };

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { calibratedOf } from "../memory/calibration";
 import { sensorOf } from "../memory/truth";
-import { calibrationWords, errorWords, refusedTagsWords, sensorWords } from "./truth";
+import { backgroundWords, calibrationWords, errorWords, refusedTagsWords, sensorWords } from "./truth";
 
 test("a sensor is described by its state, rate and calibration", () => {
   const none = sensorOf(new Map());
@@ -13,6 +13,16 @@ test("a sensor is described by its state, rate and calibration", () => {
   expect(sensorWords({ ...watching, state: "waiting", place, errorMean: 0.012 })).toBe(
     "waiting for images, expected error 1.2 cm",
   );
+});
+
+test("the empty field is described while it is learned and after it", () => {
+  const none = sensorOf(new Map());
+  expect(backgroundWords(none)).toBe("not learned: depths are compared with a flat carpet");
+  const learning = { ...none, background: { images: 7, awaited: 8 } };
+  expect(backgroundWords(learning)).toBe("learning, 8 images to come");
+  const place = { rotation: [], at: { x: 0, y: 0, z: 0 }, depthScale: 1 };
+  const learned = { ...none, state: "watching" as const, place, background: { images: 15, awaited: 0 } };
+  expect(sensorWords(learned)).toBe("watching, empty field learned from 15 images");
 });
 
 test("refused tags are told with their reasons, and nothing is told without any", () => {

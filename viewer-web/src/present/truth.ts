@@ -16,13 +16,21 @@ const kStates: Record<Sensor["state"], string> = {
 };
 
 /** Such as "watching, 30.0 images a second, detection takes 0.8 ms". */
-export function sensorWords({ state, rate, detection_ms, place, errorMean }: Sensor): string {
+export function sensorWords(sensor: Sensor): string {
+  const { state, rate, detection_ms, place, errorMean, background } = sensor;
   const words = [kStates[state]];
   if (state === "watching" && Number.isFinite(rate)) words.push(`${rate.toFixed(1)} images a second`);
   if (state === "watching" && detection_ms > 0) words.push(`detection takes ${detection_ms.toFixed(1)} ms`);
   if (!place) words.push("not calibrated, so nothing is detected");
   else if (Number.isFinite(errorMean) && errorMean > 0) words.push(`expected error ${centimetres(errorMean)}`);
+  if (background.images + background.awaited > 0) words.push(`empty field ${backgroundWords(sensor)}`);
   return words.join(", ");
+}
+
+/** Such as "learned from 15 images". */
+export function backgroundWords({ background: { images, awaited } }: Sensor): string {
+  if (awaited > 0) return `learning, ${awaited} ${awaited === 1 ? "image" : "images"} to come`;
+  return images > 0 ? `learned from ${images} images` : "not learned: depths are compared with a flat carpet";
 }
 
 /** Such as "tags refused: 3 unknown, 1 implausible", or "" if no tag was refused. */

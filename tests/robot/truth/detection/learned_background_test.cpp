@@ -42,6 +42,16 @@ TEST(LearnedBackground, KeepsNoTraceOfAPersonWhoWalksThrough) {
   EXPECT_EQ(watched.see(kCrate).robots.size(), 1U);
 }
 
+TEST(LearnedBackground, IsTheMedianOfTheLast15Images) {
+  Watched watched;
+  EXPECT_EQ(watched.detector().background_images(), 0U);
+  learn(watched, kCrate, 9);
+  EXPECT_EQ(watched.detector().background_images(), 9U);
+  learn(watched, {}, 15);
+  EXPECT_EQ(watched.detector().background_images(), 15U);
+  EXPECT_EQ(watched.see(kCrate).robots.size(), 1U);
+}
+
 TEST(LearnedBackground, DoesNotMakeThingsOutsideOfTheCarpetVisible) {
   Watched watched(looking({0, -2, 2}, {0, 2.5, 0}, kHalf));
   learn(watched, {}, 3);
