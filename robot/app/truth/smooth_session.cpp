@@ -14,7 +14,6 @@
 #include "robot/lab/clocks/session_times.h"
 #include "robot/logging/sessions/read_all.h"
 #include "robot/memory/schema.h"
-#include "robot/truth/tags/picture_source.h"
 #include "robot/truth/tracks/smoother.h"
 
 namespace robot::app {
@@ -68,10 +67,10 @@ Result<Watched> read_watched(const logging::Session& session) {
     if (record.images.empty()) continue;
     auto pose = pose_of(record.newest);
     if (!pose) return pose.failure(session.id() + ": " + stream.topic);
-    const bool ordinary = truth::tags::is_picture_address(record.newest.address());
+    const bool reads_tags = record.newest.has_refused_tags();
     const std::size_t sensor = watched.sensors.size();
     watched.sensors.push_back(
-        {.pose = std::move(*pose), .robots = ordinary ? truth::Ranging::plane : truth::Ranging::depth});
+        {.pose = std::move(*pose), .robots = reads_tags ? truth::Ranging::plane : truth::Ranging::depth});
     for (truth::Detections& image : record.images)
       watched.images.push_back({.sensor = sensor, .detections = std::move(image)});
   }
