@@ -2,11 +2,12 @@
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { createSocket } from "node:dgram";
-import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { open, shoot } from "./browser.mjs";
 import { Live } from "./live.mjs";
+import { readSession } from "./mcap.mjs";
 import { atEnd, dataFile, needsData, root, run, start, temporaryFolder, until } from "./support.mjs";
 
 const watchField = (t, ...options) => start(t, temporaryFolder(t), "foresight-lab", "truth", ...options);
@@ -192,6 +193,31 @@ test("a live robot beside the truth: its link is shown, and its clock is compare
   const sample = await until_(live, "/lab/1/clock", ({ peer }) => peer === links[0].robot, "its clock");
   assert.equal(sample.source, "SOURCE_PEER");
   assert.ok(!live.channels.has(`/${links[0].robot}/pose`), "the robot's objects stay at the robot");
+});
+
+test("recorded truth is smoothed, and the copy plays like the recording", async (t) => {
+  const logs = temporaryFolder(t);
+  const server = await watchField(t, "--source", "synthetic", "--seed", "7", "--record", "--log-dir", logs);
+  const live = await Live.open(t, server);
+  await live.subscribe("/truth/world");
+  await until_(live, "/truth/world", ({ robots }) => robots.length > 0, "a robot in the truth");
+  await live.until(() => live.messages.get("/truth/world").length > 60, "two seconds of truth");
+  await server.stop();
+  const [recorded] = readdirSync(logs).filter((name) => name.endsWith("_full"));
+  const { status, stdout, stderr } = await run("foresight-lab", "smooth", join(logs, recorded));
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /^smoothed +\d+ images of 1 sensors/);
+  const copy = stdout.trim().split("\n").at(-1);
+  assert.equal(copy, join(logs, `${recorded}_smoothed`));
+  const [before, after] = [readSession(join(logs, recorded)), readSession(copy)];
+  assert.deepEqual([...after.keys()].sort(), [...before.keys()].sort());
+  assert.ok(after.get("/truth/world").messages.length > 60);
+
+  const again = await run("foresight-lab", "smooth", join(logs, recorded));
+  assert.equal(again.status, 2, "the copy is there already");
+  const played = await Live.open(t, await start(t, temporaryFolder(t), "foresight-lab", "play", copy));
+  await played.subscribe("/truth/world");
+  await until_(played, "/truth/world", ({ robots }) => robots.length > 0, "a robot in the smoothed truth");
 });
 
 test("the view Ground truth shows image, points and field of a sensor", async (t) => {

@@ -1,10 +1,9 @@
 // foresight-lab calibrate: the place of a sensor by landmarks that a person found in its picture.
 #include "robot/app/lab/commands.h"
 #include "robot/app/truth/calibrate_sensor.h"
+#include "robot/app/truth/opened_sources.h"
 #include "robot/core/json_library.h"
 #include "robot/truth/calibration/calibration_json.h"
-#include "robot/truth/sensor/open_source.h"
-#include "robot/truth/tags/tag_watcher.h"
 #include "sim/io/rules.h"
 
 namespace robot::app {
@@ -17,9 +16,8 @@ class CalibrateCommand final : public Command {
     options().footer(
         "The file of clicks holds pixels of landmarks: {\"clicks\": [{\"landmark\": \"corner +x +y\", \"x\": 12.5, "
         "\"y\": 33}, …]}.\nThe view Ground truth of foresight-lab truth takes the same clicks by the mouse.\nExit "
-        "status: 0, 2 for a calibration that is refused or impossible.\nsources:\n  synthetic    a depth camera that "
-        "looks at a simulated game; synthetic:2 is on the other side\n" +
-        truth::describe_sources() + truth::tags::describe_cameras());
+        "status: 0, 2 for a calibration that is refused or impossible.\nsources:\n" +
+        describe_all_sources());
     auto* source = options().add_option("--source", source_, "the sensor or recording, see below");
     auto* clicks = options().add_option("--clicks", clicks_, "file of clicks")->needs(source);
     source->needs(clicks);

@@ -1,9 +1,8 @@
 // foresight-lab truth: sensors beside the field report where ball and robots are.
 #include "robot/app/clock_option.h"
 #include "robot/app/lab/commands.h"
+#include "robot/app/truth/opened_sources.h"
 #include "robot/app/truth/watch_truth.h"
-#include "robot/truth/sensor/open_source.h"
-#include "robot/truth/tags/tag_watcher.h"
 
 namespace robot::app {
 namespace {
@@ -13,11 +12,9 @@ class TruthCommand final : public Command {
   explicit TruthCommand(CLI::App& app)
       : Command(app.add_subcommand("truth",
                                    "watch the field with depth cameras: ground truth for viewers and recordings")) {
-    options().footer(
-        "sources:\n  synthetic    a depth camera that looks at a simulated game; synthetic:2 is on the other side\n"
-        "  ssl-vision   packets of SSL-Vision; or ssl-vision:GROUP:PORT\n"
-        "  door         a process of your own, such as robot/client/examples/truth.py\n" +
-        truth::describe_sources() + truth::tags::describe_cameras());
+    options().footer("sources:\n" + describe_all_sources() +
+                     "  ssl-vision       packets of SSL-Vision; or ssl-vision:GROUP:PORT\n"
+                     "  door             a process of your own, such as robot/client/examples/truth.py");
     options()
         .add_option("--source", truth_.sources, "a sensor or a recording, see below; once for each sensor")
         ->required();

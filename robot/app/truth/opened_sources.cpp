@@ -13,6 +13,7 @@
 #include "robot/truth/synthetic/sensor_poses.h"
 #include "robot/truth/synthetic/synthetic_sensor.h"
 #include "robot/truth/tags/picture_source.h"
+#include "robot/truth/tags/tag_watcher.h"
 #include "sim/io/rules.h"
 
 namespace robot::app {
@@ -64,6 +65,11 @@ class PeekedSource final : public truth::DepthSource {
 };
 
 }  // namespace
+
+std::string describe_all_sources() {
+  return "  synthetic        a depth camera that looks at a simulated game; synthetic:2 is on the other side\n" +
+         truth::describe_sources() + truth::tags::describe_cameras();
+}
 
 OpenedSources::OpenedSources(const TruthOptions& options, const std::vector<std::string>& sensors,
                              const sim::field::Rules& rules)

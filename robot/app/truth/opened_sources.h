@@ -13,6 +13,9 @@
 
 namespace robot::app {
 
+/// Returns one line for each kind of source that opens here, for --help.
+std::string describe_all_sources();
+
 /// The opened sources. Sensors and synthetic sensors live now; recordings live at the time of their first image.
 class OpenedSources {
  public:
