@@ -257,7 +257,7 @@ export const rows = {
   "robot/truth/calibration": ["robot/core", "robot/truth/frame", "sim/math", "sim/field"],
   "robot/truth/detection": ["robot/core", "robot/truth/frame", "sim/math", "sim/field"],
   "robot/truth/tracks": ["robot/core", "robot/truth/frame"],
-  "robot/truth/tags": ["robot/core", "robot/nao/camera", "robot/truth/frame", "robot/truth/calibration"],
+  "robot/truth/tags": ["robot/core", "robot/truth/frame"],
   "robot/truth/feeds": ["robot/core", "robot/truth/frame", "proto"],
   "robot/truth": [
     "robot/truth/sensor",
@@ -337,7 +337,7 @@ export const libraries = [
   },
   { name: "libfreenect", include: "libfreenect", target: "freenect", folders: ["robot/truth/sensor", "tests"] },
   { name: "OpenNI", include: "Oni", target: "OpenNI", folders: ["robot/truth/sensor", "tests"] },
-  { name: "libpng", include: "png.h", target: "PNG::", folders: ["robot/truth", "tests"] },
+  { name: "libpng", include: "png.h", target: "PNG::", folders: ["robot/truth/sensor", "tests"] },
   { name: "libtiff", include: "tiff", target: "TIFF::", folders: ["robot/truth/sensor", "tests"] },
   { name: "libedit", include: "editline/", target: "edit::", folders: ["sim/app"] },
   { name: "Random123", include: "Random123/", target: "Random123::", folders: ["sim/math"] },

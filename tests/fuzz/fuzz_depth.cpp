@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "robot/truth/sensor/camera_file.h"
+#include "robot/truth/sensor/colour_codec.h"
 #include "robot/truth/sensor/fakenect.h"
 #include "robot/truth/sensor/kinect.h"
 #include "robot/truth/sensor/lzf.h"
@@ -39,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   switch (data[0] % 10) {
     case 0: read_pgm(bytes).operator bool(); break;
     case 1: convert(bytes); break;
-    case 2: read_ppm(bytes).operator bool(); break;
+    case 2: read_colour(bytes).operator bool(); break;
     case 3: read_png(bytes).operator bool(); break;
     case 4: read_tiff(bytes).operator bool(); break;
     case 5: read_pclzf_depth(bytes).operator bool(); break;

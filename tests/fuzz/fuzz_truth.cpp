@@ -14,7 +14,7 @@ namespace {
 
 using namespace robot;
 
-/// Reads calibrations. What was read must be printed and read back.
+/// Reads calibrations. A file that was read must be printed and read back.
 void read_calibrations(std::string_view bytes) {
   const auto file = truth::parse_calibrations(bytes);
   if (file && !truth::parse_calibrations(truth::print_calibrations(*file))) __builtin_trap();

@@ -3,7 +3,12 @@
 namespace tests {
 
 using robot::truth::tags::Camera;
-using robot::truth::tags::PictureSize;
+
+robot::truth::DepthFrame black_picture(PictureSize size) {
+  robot::truth::DepthFrame picture{.intrinsics = {.width = size.width, .height = size.height, .baseline = 0}};
+  picture.rgb.resize(3 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+  return picture;
+}
 
 Camera camera_above(const Eigen::Vector3d& from, const Eigen::Vector2d& target, PictureSize size, double focal) {
   Camera camera;

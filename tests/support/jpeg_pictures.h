@@ -3,14 +3,15 @@
 
 #include <string>
 
-#include "robot/truth/tags/picture.h"
+#include "robot/truth/frame/depth_frame.h"
+#include "robot/truth/sensor/image.h"
 
 namespace tests {
 
 /// Returns the JPEG of a picture, 4:2:2.
-std::string jpeg_of(const robot::truth::tags::Picture& picture, int quality);
+std::string jpeg_of(const robot::truth::ColourImage& picture, int quality);
 
 /// Returns the picture after compression as a JPEG.
-robot::truth::tags::Picture as_jpeg(const robot::truth::tags::Picture& picture, int quality);
+robot::truth::DepthFrame as_jpeg(const robot::truth::DepthFrame& picture, int quality);
 
 }  // namespace tests

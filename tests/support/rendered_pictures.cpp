@@ -14,8 +14,8 @@
 namespace tests {
 namespace {
 
+using robot::truth::DepthFrame;
 using robot::truth::tags::Camera;
-using robot::truth::tags::Picture;
 
 constexpr int kGrid = 8;     // [px] between exact rays
 constexpr int kSamples = 3;  // along each side of a pixel
@@ -248,7 +248,7 @@ std::vector<std::uint64_t> Renderer::things_of_pixels(const Things& things) cons
   return which;
 }
 
-Picture Renderer::render(const Things& things, const Conditions& conditions) const {
+DepthFrame Renderer::render(const Things& things, const Conditions& conditions) const {
   std::vector<Light> light = empty_;
   const auto which = things_of_pixels(things);
   for (int y = 0; y < height_; ++y)
@@ -261,7 +261,7 @@ Picture Renderer::render(const Things& things, const Conditions& conditions) con
 
   static const std::array<float, 4096> gamma = gamma_table();
   static const std::vector<float> noise = normal_numbers(1, 65537);
-  Picture picture = robot::truth::tags::black_picture({width_, height_});
+  DepthFrame picture = black_picture({width_, height_});
   std::mt19937 random(conditions.seed);
   for (std::size_t i = 0; i < light.size(); ++i) {
     const double across = static_cast<double>(i % static_cast<std::size_t>(width_)) / width_ - 0.5;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "robot/truth/frame/depth_frame.h"
 #include "robot/truth/tags/camera.h"
-#include "robot/truth/tags/picture.h"
 
 namespace tests {
 
@@ -54,7 +54,7 @@ class Renderer {
   /// The width and height of the picture are multiples of 8.
   explicit Renderer(const robot::truth::tags::Camera& camera);
 
-  robot::truth::tags::Picture render(const Things& things, const Conditions& conditions) const;
+  robot::truth::DepthFrame render(const Things& things, const Conditions& conditions) const;
 
  private:
   Light trace(const Things& things, std::uint64_t which, const Eigen::Vector3d& way) const;

@@ -27,11 +27,7 @@ class TagFinder final : public PlacedFinder {
  public:
   explicit TagFinder(truth::tags::TagWatcher watcher) : watcher_(std::move(watcher)) {}
 
-  Result<truth::Detections> find(const truth::DepthFrame& frame) override {
-    return watcher_.look({.size = {.width = frame.intrinsics.width, .height = frame.intrinsics.height},
-                          .rgb = frame.rgb,
-                          .capture_ns = frame.capture_ns});
-  }
+  Result<truth::Detections> find(const truth::DepthFrame& frame) override { return watcher_.look(frame); }
   std::optional<truth::tags::RefusedTags> refused() const override { return watcher_.refused(); }
 
  private:

@@ -6,13 +6,11 @@
 #include <utility>
 
 #include "robot/app/truth/finder.h"
-#include "robot/app/truth/picture_sensor.h"
 #include "robot/app/truth/simulated_scene.h"
 #include "robot/bridge/to_messages.h"
 #include "robot/truth/sensor/open_source.h"
 #include "robot/truth/synthetic/sensor_poses.h"
 #include "robot/truth/synthetic/synthetic_sensor.h"
-#include "robot/truth/tags/picture_source.h"
 #include "robot/truth/tags/tag_watcher.h"
 #include "sim/io/rules.h"
 
@@ -68,7 +66,7 @@ class PeekedSource final : public truth::DepthSource {
 
 std::string describe_all_sources() {
   return "  synthetic        a depth camera that looks at a simulated game; synthetic:2 is on the other side\n" +
-         truth::describe_sources() + truth::tags::describe_cameras();
+         truth::describe_sources() + truth::tags::describe_tags();
 }
 
 OpenedSources::OpenedSources(const TruthOptions& options, const std::vector<std::string>& sensors,
@@ -125,7 +123,7 @@ Result<void> OpenedSources::open_recordings_and_sensors() {
   opening_clock_ = std::make_unique<SessionClock>();
   std::uint64_t first_ns = std::numeric_limits<std::uint64_t>::max();
   for (const std::string& address : addresses_) {
-    auto source = open_one(address);
+    auto source = truth::open_source(address);
     if (!source) return source.failure();
     if (!sources_.empty() && sources_.front().source->live() != (*source)->live())
       return Error{"expected live sensors only, or recordings only, got " + addresses_.front() + " and " + address};
@@ -141,11 +139,6 @@ Result<void> OpenedSources::open_recordings_and_sensors() {
   clock_ = recorded ? std::make_unique<SessionClock>(first_ns - monotonic_ns())
                     : std::make_unique<SessionClock>(opening_clock_->epoch_offset_ns());
   return {};
-}
-
-Result<std::unique_ptr<truth::DepthSource>> OpenedSources::open_one(const std::string& address) const {
-  if (!truth::tags::is_picture_address(address)) return truth::open_source(address);
-  return open_picture_sensor(address, *opening_clock_);
 }
 
 void OpenedSources::show_game_in(memory::MemoryObject<foresight::GroundTruth>& simulated) {
@@ -175,7 +168,7 @@ std::vector<std::unique_ptr<SensorWatch>> OpenedSources::watches(const Calibrati
   const auto ball = options_.orange_ball ? std::optional(truth::tags::BallLook{.radius = ball_radius_}) : std::nullopt;
   std::vector<std::unique_ptr<SensorWatch>> watches;
   for (Opened& opened : sources_) {
-    const bool by_tags = truth::tags::is_picture_address(opened.source->address());
+    const bool by_tags = truth::is_ordinary_camera(opened.source->address());
     const bool paced = game_ != nullptr || !opened.source->live();
     watches.push_back(std::make_unique<SensorWatch>(
         SensorWatchOptions{.index = watches.size(),

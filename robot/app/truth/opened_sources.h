@@ -52,7 +52,6 @@ class OpenedSources {
 
   Result<void> open_recordings_and_sensors();
   Result<void> open_synthetic();
-  Result<std::unique_ptr<truth::DepthSource>> open_one(const std::string& address) const;
 
   TruthOptions options_;
   std::vector<std::string> addresses_;

@@ -18,7 +18,7 @@
 #include "robot/app/truth/robot_poses.h"
 #include "robot/body/attached/truth_door.h"
 #include "robot/core/files.h"
-#include "robot/truth/tags/picture_source.h"
+#include "robot/truth/sensor/open_source.h"
 
 namespace robot::app {
 namespace {
@@ -81,7 +81,7 @@ Result<Kinds> kinds_of(const TruthOptions& options) {
 /// Returns the plan of the printed tags if a sensor is an ordinary camera, or an Error if something for it is missing.
 Result<std::optional<truth::tags::TagPlan>> tag_plan(const TruthOptions& options,
                                                      const std::vector<std::string>& sensors) {
-  const auto camera = std::ranges::find_if(sensors, truth::tags::is_picture_address);
+  const auto camera = std::ranges::find_if(sensors, truth::is_ordinary_camera);
   if (camera == sensors.end()) return std::optional<truth::tags::TagPlan>();
   if (options.tags.empty())
     return Error{"--source: " + *camera + ": expected --tags FILE, the plan of the printed tags"};

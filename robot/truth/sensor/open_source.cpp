@@ -11,6 +11,7 @@
 #include "robot/truth/sensor/freenect_driver.h"
 #include "robot/truth/sensor/live_source.h"
 #include "robot/truth/sensor/openni_driver.h"
+#include "robot/truth/sensor/ordinary_camera.h"
 #include "robot/truth/sensor/recording.h"
 #include "robot/truth/sensor/video_driver.h"
 
@@ -18,6 +19,8 @@ namespace robot::truth {
 namespace {
 
 using Opened = Result<std::unique_ptr<DepthSource>>;
+
+constexpr std::string_view kPictures = "pictures", kCamera = "camera";
 
 /// An address KIND:PLACE, or KIND:PLACE@CAMERA_FILE of a live source.
 struct Address {
@@ -74,6 +77,14 @@ constexpr OpenKind kOpenOpenni = open_openni;
 constexpr OpenKind kOpenOpenni = nullptr;
 #endif
 
+Opened open_camera(const Address& address) {
+  return open_live(address, [](const std::string& place, const CameraFile& camera) {
+    return Result(picture_driver(place, static_cast<std::uint32_t>(camera.width.value_or(1280)),
+                                 static_cast<std::uint32_t>(camera.height.value_or(720)),
+                                 std::make_unique<nao::KernelVideoDevice>()));
+  });
+}
+
 Opened open_video(const Address& address) {
   return open_live(address, [](const std::string& place, const CameraFile& camera) {
     return Result(video_driver(place, static_cast<std::uint32_t>(camera.width.value_or(640)),
@@ -90,9 +101,12 @@ const std::vector<SourceKind>& source_kinds() {
        [](const Address& address) { return open_image_folder(address.whole, address.place); }, ""},
       {"pclzf", "FOLDER", "a recording of PCL: *_depth.pclzf, *.xml, *_rgb.pclzf",
        [](const Address& address) { return open_pclzf(address.whole, address.place); }, ""},
+      {kPictures, "FOLDER", "pictures by name, with --tags: *.jpg, *.png, *.ppm",
+       [](const Address& address) { return open_picture_folder(address.whole, address.place); }, ""},
       {"freenect", "N", "the first Kinect, through libfreenect", kOpenFreenect, "libfreenect-dev"},
       {"openni", "N", "a sensor of PrimeSense, Asus or Orbbec, through OpenNI 2", kOpenOpenni, "libopenni2-dev"},
       {"v4l2", "DEVICE", "a depth camera of the kernel (Z16), such as /dev/video2", open_video, ""},
+      {kCamera, "DEVICE", "a colour camera of the kernel (MJPEG or YUYV), with --tags", open_camera, ""},
   };
   return kinds;
 }
@@ -115,6 +129,11 @@ Result<std::unique_ptr<DepthSource>> open_source(const std::string& address) {
   }
   if (!kind->open) return Error{name + ": " + absence(*kind)};
   return kind->open({address, address.substr(name.size() + 1)});
+}
+
+bool is_ordinary_camera(const std::string& address) {
+  const std::string_view kind = std::string_view(address).substr(0, address.find(':'));
+  return kind == kPictures || kind == kCamera;
 }
 
 std::string describe_sources() {

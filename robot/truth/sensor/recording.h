@@ -41,6 +41,11 @@ Result<std::unique_ptr<DepthSource>> open_image_folder(const std::string& addres
 /// Opens a folder of PCL: NAME_depth.pclzf with NAME.xml, and NAME_rgb.pclzf where it exists.
 Result<std::unique_ptr<DepthSource>> open_pclzf(const std::string& address, const std::filesystem::path& folder);
 
+/// Opens a folder of pictures of an ordinary camera (*.jpg, *.jpeg, *.png, *.ppm), by the times in their names. If one name
+/// has none (name_time.h), they are read in the order of the names: 30 a second, the first at 1 s after the epoch.
+Result<std::unique_ptr<DepthSource>> open_picture_folder(const std::string& address,
+                                                         const std::filesystem::path& folder);
+
 /// Reads the file at `path` by one of the readers of image files. An Error names the file.
 template <class Image>
 Result<Image> read_image(const std::filesystem::path& path, Result<Image> (*reader)(std::string_view));

@@ -85,7 +85,7 @@ std::optional<Candidate> candidate_of(const Spot& spot, const Camera& camera, do
 
 }  // namespace
 
-std::optional<SeenBall> find_ball(const Picture& picture, const Camera& camera, const BallLook& look) {
+std::optional<SeenBall> find_ball(const DepthFrame& picture, const Camera& camera, const BallLook& look) {
   std::optional<Candidate> best;
   const auto off = [](const Candidate& candidate) { return std::abs(std::log(candidate.visible)); };
   for (const Spot& spot : spots_of_colour(picture, look.colours, kFewestPixels)) {

@@ -26,7 +26,8 @@ bool is_of_colour(const std::uint8_t* rgb, const ColourRange& colours) {
 /// The marked pixels of a picture.
 class Marks {
  public:
-  Marks(const Picture& picture, const ColourRange& colours) : size_(picture.size), marked_(picture.rgb.size() / 3) {
+  Marks(const DepthFrame& picture, const ColourRange& colours)
+      : width_(picture.intrinsics.width), height_(picture.intrinsics.height), marked_(picture.rgb.size() / 3) {
     for (std::size_t i = 0; i < marked_.size(); ++i) marked_[i] = is_of_colour(&picture.rgb[3 * i], colours) ? 1 : 0;
   }
 
@@ -39,13 +40,13 @@ class Marks {
     std::vector<std::size_t> open;
     visit(start, open);
     while (!open.empty()) {
-      const auto x = static_cast<int>(open.back() % static_cast<std::size_t>(size_.width));
-      const auto y = static_cast<int>(open.back() / static_cast<std::size_t>(size_.width));
+      const auto x = static_cast<int>(open.back() % static_cast<std::size_t>(width_));
+      const auto y = static_cast<int>(open.back() / static_cast<std::size_t>(width_));
       open.pop_back();
       if (spot.size() <= kMostPixels) spot.emplace_back(x + 0.5, y + 0.5);
-      for (int to_y = std::max(0, y - 1); to_y <= std::min(size_.height - 1, y + 1); ++to_y)
-        for (int to_x = std::max(0, x - 1); to_x <= std::min(size_.width - 1, x + 1); ++to_x)
-          visit(static_cast<std::size_t>(to_y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(to_x),
+      for (int to_y = std::max(0, y - 1); to_y <= std::min(height_ - 1, y + 1); ++to_y)
+        for (int to_x = std::max(0, x - 1); to_x <= std::min(width_ - 1, x + 1); ++to_x)
+          visit(static_cast<std::size_t>(to_y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(to_x),
                 open);
     }
     return spot;
@@ -58,13 +59,13 @@ class Marks {
     open.push_back(pixel);
   }
 
-  PictureSize size_;
+  int width_, height_;  // [px]
   std::vector<std::uint8_t> marked_;
 };
 
 }  // namespace
 
-std::vector<Spot> spots_of_colour(const Picture& picture, const ColourRange& colours, std::size_t fewest) {
+std::vector<Spot> spots_of_colour(const DepthFrame& picture, const ColourRange& colours, std::size_t fewest) {
   std::vector<Spot> spots;
   Marks marks(picture, colours);
   for (std::size_t pixel = 0; pixel < marks.count(); ++pixel) {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "robot/truth/tags/picture.h"
+#include "robot/truth/frame/depth_frame.h"
 
 namespace robot::truth::tags {
 
@@ -21,6 +21,6 @@ using Spot = std::vector<Eigen::Vector2d>;
 
 /// Returns the spots of these colours with at least `fewest` pixels. Pixels that touch at a side or a corner are
 /// connected. A spot of more than 40,000 pixels is too large for a ball and is left out.
-std::vector<Spot> spots_of_colour(const Picture& picture, const ColourRange& colours, std::size_t fewest);
+std::vector<Spot> spots_of_colour(const DepthFrame& picture, const ColourRange& colours, std::size_t fewest);
 
 }  // namespace robot::truth::tags

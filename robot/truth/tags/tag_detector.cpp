@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +17,18 @@
 
 namespace robot::truth::tags {
 namespace {
+
+/// Returns the brightness of all pixels, 1 byte each (BT.601).
+std::vector<std::uint8_t> grey_of(const std::vector<std::uint8_t>& rgb) {
+  std::vector<std::uint8_t> grey(rgb.size() / 3);
+  const std::uint8_t* pixel = rgb.data();
+  for (std::uint8_t& brightness : grey) {
+    // 77 + 150 + 29 = 256
+    brightness = static_cast<std::uint8_t>((77 * pixel[0] + 150 * pixel[1] + 29 * pixel[2] + 128) / 256);
+    pixel += 3;
+  }
+  return grey;
+}
 
 constexpr int kSmallestSide = 32;  // [px] the library divides a picture into tiles and needs a few of them
 
@@ -84,11 +97,11 @@ TagDetector::TagDetector(TagDetector&&) noexcept = default;
 TagDetector& TagDetector::operator=(TagDetector&&) noexcept = default;
 TagDetector::~TagDetector() = default;
 
-std::vector<SeenTag> TagDetector::detect(const Picture& picture) {
+std::vector<SeenTag> TagDetector::detect(const DepthFrame& picture) {
   std::vector<SeenTag> tags;
-  if (picture.size.width < kSmallestSide || picture.size.height < kSmallestSide) return tags;
-  std::vector<std::uint8_t> grey = grey_of(picture);
-  image_u8_t image{picture.size.width, picture.size.height, picture.size.width, grey.data()};
+  if (picture.intrinsics.width < kSmallestSide || picture.intrinsics.height < kSmallestSide) return tags;
+  std::vector<std::uint8_t> grey = grey_of(picture.rgb);
+  image_u8_t image{picture.intrinsics.width, picture.intrinsics.height, picture.intrinsics.width, grey.data()};
   zarray_t* detections = apriltag_detector_detect(library_->detector, &image);
   for (int i = 0; i < zarray_size(detections); ++i) {
     const apriltag_detection_t* detection = nullptr;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
-#include "robot/truth/tags/picture.h"
+#include "robot/truth/frame/depth_frame.h"
 #include "robot/truth/tags/seen_tag.h"
 
 namespace robot::truth::tags {
@@ -35,7 +35,7 @@ class TagDetector {
   ~TagDetector();
 
   /// Returns all tags, in the order of the library. The same id may be there twice.
-  std::vector<SeenTag> detect(const Picture& picture);
+  std::vector<SeenTag> detect(const DepthFrame& picture);
 
  private:
   struct Library;

@@ -16,6 +16,6 @@ TagDetector::TagDetector(TagDetector&&) noexcept = default;
 TagDetector& TagDetector::operator=(TagDetector&&) noexcept = default;
 TagDetector::~TagDetector() = default;
 
-std::vector<SeenTag> TagDetector::detect(const Picture&) { return {}; }
+std::vector<SeenTag> TagDetector::detect(const DepthFrame&) { return {}; }
 
 }  // namespace robot::truth::tags

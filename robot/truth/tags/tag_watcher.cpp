@@ -16,11 +16,11 @@ Result<TagWatcher> TagWatcher::create(Camera camera, TagPlan plan, const WatchOp
 TagWatcher::TagWatcher(Camera camera, TagPlan plan, std::optional<BallLook> ball, TagDetector detector)
     : camera_(std::move(camera)), plan_(std::move(plan)), ball_(ball), detector_(std::move(detector)) {}
 
-Result<Detections> TagWatcher::look(const Picture& picture) {
+Result<Detections> TagWatcher::look(const DepthFrame& picture) {
   const Intrinsics& expected = camera_.projection.intrinsics;
-  if (picture.size != PictureSize{expected.width, expected.height})
+  if (picture.intrinsics.width != expected.width || picture.intrinsics.height != expected.height)
     return Error{formatted("picture: expected the calibration's size %dx%d, got %dx%d", expected.width, expected.height,
-                           picture.size.width, picture.size.height)};
+                           picture.intrinsics.width, picture.intrinsics.height)};
   Detections detections;
   detections.capture_ns = picture.capture_ns;
   detections.robots = tagged_robots(camera_, plan_, detector_.detect(picture), refused_);
@@ -28,13 +28,9 @@ Result<Detections> TagWatcher::look(const Picture& picture) {
   return detections;
 }
 
-std::string describe_cameras() {
-  std::string text =
-      "  camera:DEVICE    a colour camera of the kernel (MJPEG or YUYV), with --tags\n"
-      "  pictures:FOLDER  pictures by name: *.jpg, *.png, *.ppm, with --tags\n";
-  text += sees_tags() ? "  printed tags of the family " + family_names() + "\n"
-                      : "  printed tags are not in this build: libapriltag-dev was not installed\n";
-  return text;
+std::string describe_tags() {
+  return sees_tags() ? "  printed tags of the family " + family_names() + "\n"
+                     : "  printed tags are not in this build: libapriltag-dev was not installed\n";
 }
 
 }  // namespace robot::truth::tags

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "robot/core/result.h"
+#include "robot/truth/frame/depth_frame.h"
 #include "robot/truth/frame/detections.h"
 #include "robot/truth/tags/ball_colour.h"
 #include "robot/truth/tags/camera.h"
-#include "robot/truth/tags/picture.h"
 #include "robot/truth/tags/tag_detector.h"
 #include "robot/truth/tags/tag_plan.h"
 #include "robot/truth/tags/tagged_robots.h"
@@ -29,7 +29,7 @@ class TagWatcher {
 
   /// Returns the things in a picture; `detected_ns` is left to the caller's clock. Returns an Error if the picture has
   /// another size than the calibration.
-  Result<Detections> look(const Picture& picture);
+  Result<Detections> look(const DepthFrame& picture);
 
   /// Returns the counts of tags that gave no robot, since the start.
   const RefusedTags& refused() const { return refused_; }
@@ -44,7 +44,7 @@ class TagWatcher {
   RefusedTags refused_;
 };
 
-/// Returns the lines about ordinary cameras for --help: the sources, and whether this build sees printed tags.
-std::string describe_cameras();
+/// Returns the line about printed tags for --help: their families, or that this build does not see them.
+std::string describe_tags();
 
 }  // namespace robot::truth::tags

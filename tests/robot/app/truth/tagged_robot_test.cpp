@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "robot/app/truth/finder.h"
-#include "robot/app/truth/picture_sensor.h"
 #include "robot/app/truth/sensor_watch.h"
+#include "robot/truth/sensor/open_source.h"
 #include "tests/support/camera_above.h"
 #include "tests/support/eventually.h"
 #include "tests/support/rendered_pictures.h"
@@ -32,7 +32,7 @@ void write_pictures(const std::filesystem::path& folder, int count) {
   const auto picture = tests::Renderer(small_camera()).render(things, {});
   for (int i = 0; i < count; ++i) {
     std::ofstream file(folder / ("picture_" + std::to_string(100 + i) + ".ppm"), std::ios::binary);
-    file << "P6\n" << picture.size.width << " " << picture.size.height << "\n255\n";
+    file << "P6\n" << picture.intrinsics.width << " " << picture.intrinsics.height << "\n255\n";
     file.write(reinterpret_cast<const char*>(picture.rgb.data()), static_cast<std::streamsize>(picture.rgb.size()));
   }
 }
@@ -48,7 +48,7 @@ TEST(TaggedRobot, IsNamedInTheTruthAndOtherTagsAreCounted) {
   const tests::TemporaryFolder folder;
   write_pictures(folder.path(), 12);
   const SessionClock clock(1'000'000'000 - monotonic_ns());  // the first picture is of 1 s after the epoch
-  auto source = open_picture_sensor("pictures:" + folder.path().string(), clock);
+  auto source = truth::open_source("pictures:" + folder.path().string());
   ASSERT_TRUE(source) << source.error();
   const auto calibrations = Calibrations::open({}, "spl2012");
   ASSERT_TRUE(calibrations);

@@ -10,7 +10,9 @@ namespace robot::truth {
 namespace {
 
 TEST(OpenSource, NamesAllKindsForAnUnknownOne) {
-  const std::string known = "expected fakenect:FOLDER, folder:FOLDER, pclzf:FOLDER, freenect:N, openni:N, v4l2:DEVICE";
+  const std::string known =
+      "expected fakenect:FOLDER, folder:FOLDER, pclzf:FOLDER, pictures:FOLDER, freenect:N, openni:N, v4l2:DEVICE, "
+      "camera:DEVICE";
   EXPECT_EQ(open_source("kinect:0").error(), "source \"kinect:0\": " + known);
   EXPECT_EQ(open_source("").error(), "source \"\": " + known);
   EXPECT_EQ(open_source("folder").error(), "source \"folder\": " + known);

@@ -7,11 +7,11 @@
 
 namespace {
 
+using robot::truth::DepthFrame;
 using robot::truth::SeenBall;
 using robot::truth::tags::BallLook;
 using robot::truth::tags::Camera;
 using robot::truth::tags::find_ball;
-using robot::truth::tags::Picture;
 using tests::Light;
 using tests::Things;
 
@@ -24,7 +24,7 @@ std::unique_ptr<tests::Thing> ball_at(double x, double y, double radius = kRadiu
   return tests::sphere({x, y, radius}, radius, light);
 }
 
-Picture picture_of(const Things& things) {
+DepthFrame picture_of(const Things& things) {
   static const tests::Renderer renderer(watching_camera());
   return renderer.render(things, {.noise = 2});
 }
@@ -90,7 +90,7 @@ TEST(BallColour, ARangeOfHuesMayGoOverZero) {
 }
 
 TEST(BallColour, APictureOfOneColourHasNoBall) {
-  Picture picture = robot::truth::tags::black_picture({640, 360});
+  DepthFrame picture = tests::black_picture({640, 360});
   EXPECT_FALSE(find_ball(picture, watching_camera(), {}));
   for (std::size_t i = 0; i < picture.rgb.size(); i += 3) picture.rgb[i] = 255, picture.rgb[i + 1] = 128;
   EXPECT_FALSE(find_ball(picture, watching_camera(), {}));

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "robot/truth/tags/tag_watcher.h"
+#include "tests/support/camera_above.h"
 
 namespace {
 
-using robot::truth::tags::black_picture;
-using robot::truth::tags::Picture;
+using robot::truth::DepthFrame;
 using robot::truth::tags::sees_tags;
 using robot::truth::tags::TagDetector;
 
@@ -17,14 +17,11 @@ TEST(TagDetector, ABuildWithoutTheLibrarySaysSo) {
   ASSERT_FALSE(detector);
   EXPECT_EQ(detector.error(),
             "printed tags are not in this build: install libapriltag-dev, then configure and build again");
-  EXPECT_NE(robot::truth::tags::describe_cameras().find("printed tags are not in this build"), std::string::npos);
+  EXPECT_NE(robot::truth::tags::describe_tags().find("printed tags are not in this build"), std::string::npos);
 }
 
-TEST(TagDetector, HelpNamesTheSourcesAndFamilies) {
-  const std::string help = robot::truth::tags::describe_cameras();
-  EXPECT_NE(help.find("camera:DEVICE"), std::string::npos);
-  EXPECT_NE(help.find("pictures:FOLDER"), std::string::npos);
-  EXPECT_EQ(help.find("tag36h11") != std::string::npos, sees_tags());
+TEST(TagDetector, HelpNamesTheFamilies) {
+  EXPECT_EQ(robot::truth::tags::describe_tags().find("tag36h11") != std::string::npos, sees_tags());
 }
 
 TEST(TagDetector, AFamilyThatIsMistakenEasilyIsRefused) {
@@ -38,7 +35,7 @@ TEST(TagDetector, BlankAndTinyPicturesHaveNoTags) {
   auto detector = TagDetector::create({});
   ASSERT_TRUE(detector);
   for (const int side : {1, 2, 7, 31, 32, 33, 200}) {
-    Picture picture = black_picture({side, side});
+    DepthFrame picture = tests::black_picture({side, side});
     EXPECT_TRUE(detector->detect(picture).empty()) << side;
     picture.rgb.assign(picture.rgb.size(), 255);
     EXPECT_TRUE(detector->detect(picture).empty()) << side;

@@ -12,10 +12,10 @@
 
 namespace {
 
+using robot::truth::DepthFrame;
 using robot::truth::Detections;
 using robot::truth::SeenRobot;
 using robot::truth::tags::Camera;
-using robot::truth::tags::Picture;
 using robot::truth::tags::TagPlan;
 using robot::truth::tags::TagWatcher;
 using tests::flat_tag;
@@ -35,7 +35,7 @@ class TagWatcherTest : public testing::Test {
     return *TagWatcher::create(camera(), plan);
   }
 
-  static Picture picture_of(const Things& things) {
+  static DepthFrame picture_of(const Things& things) {
     static const tests::Renderer renderer(camera());
     return renderer.render(things, {});
   }
@@ -59,7 +59,7 @@ TEST_F(TagWatcherTest, ARenderedTagIsFoundWhereItIs) {
 }
 
 TEST_F(TagWatcherTest, TheCaptureTimeIsThePictures) {
-  Picture picture = picture_of({});
+  DepthFrame picture = picture_of({});
   picture.capture_ns = 42;
   const auto detections = watcher.look(picture);
   ASSERT_TRUE(detections);
@@ -91,7 +91,7 @@ TEST_F(TagWatcherTest, APartlyHiddenTagGivesNothingRatherThanSomethingWrong) {
 }
 
 TEST_F(TagWatcherTest, BlankPicturesShowNothing) {
-  Picture picture = robot::truth::tags::black_picture({480, 320});
+  DepthFrame picture = tests::black_picture({480, 320});
   for (const int shade : {0, 128, 255}) {
     picture.rgb.assign(picture.rgb.size(), static_cast<std::uint8_t>(shade));
     const auto detections = watcher.look(picture);
@@ -102,7 +102,7 @@ TEST_F(TagWatcherTest, BlankPicturesShowNothing) {
 }
 
 TEST_F(TagWatcherTest, APictureOfAnotherSizeThanTheCalibrationIsRefused) {
-  EXPECT_EQ(watcher.look(robot::truth::tags::black_picture({640, 480})).error(),
+  EXPECT_EQ(watcher.look(tests::black_picture({640, 480})).error(),
             "picture: expected the calibration's size 480x320, got 640x480");
 }
 

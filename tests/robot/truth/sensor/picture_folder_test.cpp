@@ -1,16 +1,15 @@
-#include "robot/truth/tags/picture_folder.h"
 
 #include <gtest/gtest.h>
 
+#include "robot/core/clock.h"
 #include "robot/core/files.h"
+#include "robot/truth/sensor/open_source.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
 using robot::kSecond;
-using robot::SessionClock;
-using robot::truth::tags::open_pictures;
-using robot::truth::tags::time_in_name;
+using robot::truth::open_source;
 
 /// A folder with pictures of one pixel.
 class PictureFolderTest : public testing::Test {
@@ -18,7 +17,7 @@ class PictureFolderTest : public testing::Test {
   void put(std::string_view name, std::string_view bytes = "P6 1 1 255 abc") const {
     ASSERT_TRUE(robot::replace_file(folder / name, bytes));
   }
-  auto open() const { return open_pictures("pictures:" + folder.path().string(), {}, clock); }
+  auto open() const { return open_source("pictures:" + folder.path().string()); }
 
   /// Returns the times of all pictures.
   std::vector<std::uint64_t> times() const {
@@ -31,7 +30,6 @@ class PictureFolderTest : public testing::Test {
   }
 
   const tests::TemporaryFolder folder;
-  const SessionClock clock{0};
 };
 
 TEST_F(PictureFolderTest, NamesOfOtherKindsGiveThirtyPicturesASecond) {
@@ -51,22 +49,12 @@ TEST_F(PictureFolderTest, NamesMayBeTimes) {
   EXPECT_EQ(times(), (std::vector<std::uint64_t>{1712345678250000000, 1712345678500000000}));
 }
 
-TEST(TimeInName, KnowsSecondsAndWholeNumbers) {
-  EXPECT_EQ(time_in_name("1712345678.250000"), 1712345678250000000u);
-  EXPECT_EQ(time_in_name("1712345678250"), 1712345678250000000u);
-  EXPECT_EQ(time_in_name("1712345678250001"), 1712345678250001000u);
-  EXPECT_EQ(time_in_name("1712345678250001002"), 1712345678250001002u);
-  for (const char* name : {"", "frame0001", "12", "1.", ".5", "1.x", "1.1234567890", "12345678901.0", "171234567825x",
-                           "-712345678250", "9999999999999999999999"})
-    EXPECT_FALSE(time_in_name(name)) << name;
-}
-
 TEST_F(PictureFolderTest, ADamagedPictureIsNamedAndTheNextOneFollows) {
   put("1.ppm", "P6 1 1 255 a");
   put("2.ppm");
   const auto source = open();
   ASSERT_TRUE(source) << source.error();
-  EXPECT_EQ((*source)->next().error(), (folder / "1.ppm").string() + ": PPM: expected 3 bytes of pixels, got 1");
+  EXPECT_EQ((*source)->next().error(), (folder / "1.ppm").string() + ": expected 3 bytes of pixels of 1x1 px, got 1");
   const auto second = (*source)->next();
   ASSERT_TRUE(second && *second);
   EXPECT_EQ((*second)->rgb, (std::vector<std::uint8_t>{'a', 'b', 'c'}));
@@ -77,18 +65,14 @@ TEST_F(PictureFolderTest, ADamagedPictureIsNamedAndTheNextOneFollows) {
 }
 
 TEST_F(PictureFolderTest, AFolderWithoutPicturesIsRefused) {
-  EXPECT_EQ(open().error(),
-            "folder " + folder.path().string() + ": expected pictures *.jpg, *.jpeg, *.png or *.ppm, got none");
+  EXPECT_EQ(open().error(), folder.path().string() + ": expected pictures (*.jpg, *.jpeg, *.png, *.ppm), got none");
 }
 
-TEST(PictureSource, OtherAddressesAreRefused) {
-  const SessionClock clock{0};
-  EXPECT_FALSE(open_pictures("pictures:/no/such/folder", {}, clock));
-  for (const std::string address : {"", "camera:", "freenect:0"})
-    EXPECT_EQ(open_pictures(address, {}, clock).error(),
-              "source: expected camera:/dev/videoN or pictures:FOLDER, got '" + address + "'");
-  EXPECT_TRUE(robot::truth::tags::is_picture_address("camera:/dev/video0"));
-  EXPECT_FALSE(robot::truth::tags::is_picture_address("freenect:0"));
+TEST(Address, OfAnOrdinaryCameraIsKnown) {
+  for (const char* address : {"camera:/dev/video0", "pictures:logs/field", "camera:"})
+    EXPECT_TRUE(robot::truth::is_ordinary_camera(address)) << address;
+  for (const char* address : {"", "freenect:0", "cameras:1", "v4l2:/dev/video0"})
+    EXPECT_FALSE(robot::truth::is_ordinary_camera(address)) << address;
 }
 
 }  // namespace
