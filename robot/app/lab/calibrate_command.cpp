@@ -1,5 +1,6 @@
 // foresight-lab calibrate: the place of a sensor by landmarks that a person found in its picture.
 #include "robot/app/lab/commands.h"
+#include "robot/app/lab/field_options.h"
 #include "robot/app/truth/calibrate_sensor.h"
 #include "robot/app/truth/opened_sources.h"
 #include "robot/core/json_library.h"
@@ -23,12 +24,7 @@ class CalibrateCommand final : public Command {
     source->needs(clicks);
     options().add_option("--calibration", truth_.calibration,
                          "file in which a good calibration is saved, for foresight-lab truth; default: none");
-    options()
-        .add_option("--rules", truth_.rules, "rules, which give the field: spl2012, spl2025:5, …")
-        ->capture_default_str();
-    options()
-        .add_option("--ball-radius", truth_.ball_radius, "[m] default: that of the rules")
-        ->check(CLI::Range(0.02, 0.15));
+    add_field_options(options(), truth_);
     options().add_flag("--landmarks", landmarks_, "list the landmarks of the field [m, field], and do nothing else");
     options().add_flag("--json", json_, "print as JSON");
   }

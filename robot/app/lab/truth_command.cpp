@@ -1,6 +1,7 @@
 // foresight-lab truth: sensors beside the field report where ball and robots are.
 #include "robot/app/clock_option.h"
 #include "robot/app/lab/commands.h"
+#include "robot/app/lab/field_options.h"
 #include "robot/app/truth/opened_sources.h"
 #include "robot/app/truth/watch_truth.h"
 
@@ -21,12 +22,7 @@ class TruthCommand final : public Command {
     options().add_option("--calibration", truth_.calibration,
                          "file with the places of the sensors; the viewer's view Ground truth makes and improves it");
     options().add_option("--tags", truth_.tags, "file with the printed tags on the robots, for ordinary cameras");
-    options()
-        .add_option("--rules", truth_.rules, "rules, which give the field: spl2012, spl2025:5, …")
-        ->capture_default_str();
-    options()
-        .add_option("--ball-radius", truth_.ball_radius, "[m] default: that of the rules")
-        ->check(CLI::Range(0.02, 0.15));
+    add_field_options(options(), truth_);
     options().add_flag("!--no-orange", truth_.orange_ball, "the ball has no colour of its own: find it by its shape");
     options().add_option("--home", truth_.home, "strategy of the simulated game")->capture_default_str();
     options().add_option("--away", truth_.away, "strategy of the simulated game")->capture_default_str();

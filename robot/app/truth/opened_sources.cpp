@@ -120,7 +120,6 @@ Result<void> OpenedSources::open_synthetic() {
 }
 
 Result<void> OpenedSources::open_recordings_and_sensors() {
-  opening_clock_ = std::make_unique<SessionClock>();
   std::uint64_t first_ns = std::numeric_limits<std::uint64_t>::max();
   for (const std::string& address : addresses_) {
     auto source = truth::open_source(address);
@@ -136,8 +135,7 @@ Result<void> OpenedSources::open_recordings_and_sensors() {
   }
   live_ = sources_.empty() || sources_.front().source->live();
   const bool recorded = first_ns != std::numeric_limits<std::uint64_t>::max();
-  clock_ = recorded ? std::make_unique<SessionClock>(first_ns - monotonic_ns())
-                    : std::make_unique<SessionClock>(opening_clock_->epoch_offset_ns());
+  clock_ = recorded ? std::make_unique<SessionClock>(first_ns - monotonic_ns()) : std::make_unique<SessionClock>();
   return {};
 }
 

@@ -19,8 +19,8 @@ std::string describe_all_sources();
 /// The opened sources. Sensors and synthetic sensors live now; recordings live at the time of their first image.
 class OpenedSources {
  public:
-  /// Opens the sensors with these addresses. Returns an Error for an address that cannot be opened, for recordings beside live sensors, for more sources than the
-  /// tracks can use, and for wrong rules, strategies or models.
+  /// Opens the sensors with these addresses. Returns an Error for an address that cannot be opened, for recordings beside
+  /// live sensors, for more sources than the tracks can use, and for wrong rules, strategies or models.
   static Result<OpenedSources> open(const TruthOptions& options, const std::vector<std::string>& sensors);
 
   const SessionClock& clock() const { return *clock_; }
@@ -57,7 +57,6 @@ class OpenedSources {
   std::vector<std::string> addresses_;
   sim::field::Rules rules_;
   double ball_radius_;
-  std::unique_ptr<SessionClock> opening_clock_;  // of cameras; recordings have one of their own
   std::unique_ptr<SessionClock> clock_;
   bool live_ = true;
   std::unique_ptr<WatchedGame> game_;  // null without a synthetic sensor
