@@ -337,6 +337,7 @@ export const libraries = [
   },
   { name: "libfreenect", include: "libfreenect", target: "freenect", folders: ["robot/truth/sensor", "tests"] },
   { name: "OpenNI", include: "Oni", target: "OpenNI", folders: ["robot/truth/sensor", "tests"] },
+  { name: "PCL", include: "pcl/", target: "pcl_", folders: ["tests"] },
   { name: "libpng", include: "png.h", target: "PNG::", folders: ["robot/truth/sensor", "tests"] },
   { name: "libtiff", include: "tiff", target: "TIFF::", folders: ["robot/truth/sensor", "tests"] },
   { name: "libedit", include: "editline/", target: "edit::", folders: ["sim/app"] },
