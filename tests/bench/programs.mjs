@@ -1,6 +1,6 @@
 // Starts the programs of the benches and reads their reports.
 import { execFileSync, spawn } from "node:child_process";
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -66,8 +66,11 @@ export function start(name, args, before = [], preset = "release") {
 }
 
 /** Runs a program of ours that prints lines of JSON; returns them. */
-export const cases = async (name, args = []) =>
-  (await start(name, args).output).split("\n").map((line) => JSON.parse(line));
+export const cases = async (name, args = [], before = []) =>
+  (await start(name, args, before).output).split("\n").map((line) => JSON.parse(line));
+
+/** Reports whether the release build has a program of ours. */
+export const isBuilt = (name) => existsSync(join(builds, "release", "bin", name));
 
 let sessions = 0;
 

@@ -1,5 +1,5 @@
 // How exact, how fast and how steady is ground truth? Beside the bars of the sensors, and the thesis's table 2.
-import { cases, scratch, sleep, start, startClients } from "./programs.mjs";
+import { cases, isBuilt, scratch, sleep, start, startClients } from "./programs.mjs";
 import { join } from "node:path";
 import { Report } from "./report.mjs";
 import { renderedGame } from "./truth_game.mjs";
@@ -21,6 +21,27 @@ async function tellFrames(report, frames) {
     report.figure(`${name}: lying robots, recall`, lying_robots.recall);
     report.figure(`${name}: ball, mean error`, ball.mean_cm, "cm", exact ? { atMost: 1.2 } : {});
     report.figure(`${name}: ball, recall`, ball.recall, "", coloured ? { atLeast: 0.98 } : {});
+  }
+}
+
+/** PCL's pipelines and ours, on the same images in turn. */
+async function tellPeers(report, frames) {
+  if (!isBuilt("bench_truth_pcl")) {
+    console.log("   PCL is not installed, so its pipelines are not measured beside ours: install libpcl-dev");
+    return;
+  }
+  const pipelines = await cases("bench_truth_pcl", [frames], ["env", "OMP_NUM_THREADS=1"]);
+  const ours = pipelines.find(({ pipeline }) => pipeline === "ours");
+  for (const { pipeline, median_ms, robots, uncorrected_robots, ball } of pipelines) {
+    const name = pipeline === "ours" ? "ours, in turn with PCL" : pipeline;
+    report.figure(`${name}: a frame, median`, median_ms, "ms");
+    report.figure(`${name}: robots, mean error`, robots.mean_cm, "cm");
+    report.figure(`${name}: robots, recall`, robots.recall);
+    report.figure(`${name}: false robots a frame`, robots.false_per_frame);
+    report.figure(`${name}: ball, mean error`, ball.mean_cm, "cm");
+    if (pipeline === "ours") continue;
+    report.figure(`${name}: a frame, relative to ours`, median_ms / ours.median_ms, "x");
+    report.figure(`${name}: robots, mean error without a correction`, uncorrected_robots.mean_cm, "cm");
   }
 }
 
@@ -125,6 +146,7 @@ async function tellClients(report, seconds) {
 export async function truth({ seconds = 20, probes = 200, files = 10_000, minutes = 5 }) {
   const report = new Report("truth", "how exact, fast and steady is ground truth, on synthetic images?");
   await tellFrames(report, probes);
+  await tellPeers(report, probes);
   await tellCalibration(report, probes);
   await tellTracks(report);
   await tellOffsets(report, probes);
