@@ -1,12 +1,17 @@
-// Does memory grow? Ten minutes with viewers that connect and disconnect; with `speed`, as much data as in the thesis's two weeks.
-import { startClients, startRobot } from "./programs.mjs";
+// Does memory grow? Ten minutes each of a robot and of the ground-truth server, with viewers that connect and disconnect.
+// With `speed`, each writes as many truths as in the thesis's two weeks.
+import { sleep, startClients, startRobot } from "./programs.mjs";
 import { median, pretty, Report } from "./report.mjs";
+import { runTruth } from "./soak_truth.mjs";
+import { sendPackets } from "./ssl_packets.mjs";
 
 const kDay = 86_400; // [s]
 const kDays = 14;
 const kConnectionsPerDay = 100;
 const kSessionsPerDay = 20;
-const kTruthHz = 10;
+const kTruthHz = 10; // in the thesis
+const kImagesHz = 30; // of a depth camera
+const kRobotMb = 64; // most of a robot's memory
 const kLogMb = 300; // two days of data and the reserve: most of the time old sessions are deleted for new ones
 
 /** Growth of memory from the third quarter to the last one [MB]. */
@@ -30,16 +35,17 @@ async function run(robotArgs, clientArgs, seconds) {
   return { found, viewers: await viewers.report };
 }
 
-function judge(report, { found, viewers }, expected = 0) {
+function judge(report, { found, viewers }, { atLeast, atMostMb } = {}) {
   const written = Object.values(found.written).reduce((a, b) => a + b, 0);
-  report.figure("messages written", written, "", expected ? { atLeast: expected } : {});
+  report.figure("messages written", written, "", atLeast ? { atLeast } : {});
   report.figure("messages received", viewers.messages);
   report.figure("connections", viewers.connections);
   report.figure("sessions", found.recorded.sessions);
   report.figure("recordings on the disk at the end", found.recorded.disk_bytes / 1e6, "MB");
   report.figure("sessions that are damaged", found.recorded.damaged, "", { exactly: 0 });
   report.figure("messages lost to the disk", found.recorded.dropped, "", { exactly: 0 });
-  report.figure("resident set, largest, image buffers included", Math.max(...found.memory_mb), "MB", { atMost: 64 });
+  const largest = Math.max(...found.memory_mb);
+  report.figure("resident set, largest, image buffers included", largest, "MB", atMostMb ? { atMost: atMostMb } : {});
   report.figure("resident set, growth over the second half", growth(found.memory_mb), "MB", { atMost: 1 });
   const eighth = Math.max(1, Math.floor(found.memory_mb.length / 8));
   console.log(
@@ -63,6 +69,7 @@ async function ten(seconds) {
       ["--clients", 8, "--lifetime", 5, "--watch", "objects,images,jpeg"],
       seconds,
     ),
+    { atMostMb: kRobotMb },
   );
   return report.finish();
 }
@@ -98,9 +105,69 @@ async function twoWeeks(speed) {
       ["--clients", seats, "--lifetime", lifetime, "--watch", "objects"],
       seconds,
     ),
-    Math.floor(0.999 * kDays * kDay * kTruthHz),
+    { atLeast: Math.floor(0.999 * kDays * kDay * kTruthHz), atMostMb: kRobotMb },
   );
   return report.finish();
 }
 
-export const soak = ({ seconds = 600, speed }) => (speed ? twoWeeks(speed) : ten(seconds));
+/** The ground-truth server for this time, with as many connections as in two weeks. */
+async function truthServer(seconds) {
+  const report = new Report("soak-truth", "does the ground-truth server's memory grow while viewers come and go?");
+  const sources = ["synthetic", "synthetic:2"];
+  const sensors = sources.map((_, i) => `/truth/${i + 1}/sensor`);
+  console.log(
+    `   ${seconds} s, two synthetic sensors in real time, recorded; connections as in ${kDays} days, and some viewers stall`,
+  );
+  const seen = await runTruth({
+    sources,
+    topics: ["/truth/world", ...sensors, "/truth/1/depth"],
+    seconds,
+    connections: kDays * kConnectionsPerDay,
+    use: () => sleep(seconds),
+  });
+  judge(report, seen);
+  const { written, world } = seen;
+  const span = Math.round(((world.messages - 1) / world.rate_hz) * kImagesHz) + 1;
+  const wanted = kDays * kDay * kImagesHz;
+  report.figure("images", written[sensors[0]] + written[sensors[1]], `of ${wanted} of one sensor in ${kDays} days`);
+  report.figure("truths that a lossless viewer lacks", Math.max(0, span - world.messages), `of ${span}`, {
+    exactly: 0,
+  });
+  return report.finish();
+}
+
+/** As many truths and connections as in two weeks, through the ground-truth server: packets of SSL-Vision. */
+async function twoWeeksOfTruth(speed) {
+  const report = new Report(
+    "soak-truth-two-weeks",
+    "does the ground-truth server hold what the thesis's held for two weeks?",
+  );
+  const [count, rate] = [kDays * kDay * kTruthHz, speed * kTruthHz];
+  const vision = { group: "239.5.23.77", port: 20000 + (process.pid % 20000) };
+  console.log(
+    `   ${kDays} days at ${kTruthHz} Hz = ${count} packets of SSL-Vision, no depth images, ${rate} a second; recorded; ` +
+      `${kDays * kConnectionsPerDay} connections`,
+  );
+  const seen = await runTruth({
+    sources: [`ssl-vision:${vision.group}:${vision.port}`],
+    topics: ["/truth/world"],
+    seconds: count / rate,
+    connections: kDays * kConnectionsPerDay,
+    use: () => sendPackets(count, rate, vision),
+  });
+  judge(report, seen, { atLeast: Math.floor(0.999 * count) });
+  report.figure(
+    "truths lost between the socket and the recording",
+    count - seen.written["/truth/world"],
+    `of ${count}`,
+  );
+  return report.finish();
+}
+
+export async function soak({ seconds = 600, minutes = 10, speed }) {
+  const ofRobot = seconds > 0 && (speed ? () => twoWeeks(speed) : () => ten(seconds));
+  const ofTruth = minutes > 0 && (speed ? () => twoWeeksOfTruth(speed) : () => truthServer(60 * minutes));
+  let met = true;
+  for (const measure of [ofRobot, ofTruth]) if (measure) met = (await measure()) && met;
+  return met;
+}
