@@ -1,10 +1,10 @@
 // foresight-robot: the runtime on the robot.
-#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "robot/app/build_id.h"
+#include "robot/app/given_back.h"
 #include "robot/app/robot_options.h"
 #include "robot/app/run_attached.h"
 #include "robot/app/run_nao.h"
@@ -17,10 +17,6 @@ namespace robot::app {
 namespace {
 
 constexpr int kDone = 0, kBadInput = 2;
-
-// Allocations of this size and more return to the system when they are freed. By default the C library of a 64-bit
-// program keeps the peak of each thread that allocated images; the process then took twice the memory.
-constexpr int kGivenBack_bytes = 512 * 1024;  // a 640x480 image has 600 kB
 
 Result<void> run(const RobotOptions& options) {
   if (!options.behaviour.empty() && options.body != "attached" && options.body != "nao")
@@ -40,7 +36,7 @@ int robot_main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadInput;
   }
-  mallopt(M_MMAP_THRESHOLD, kGivenBack_bytes);
+  give_images_back();
   block_end_signals();
   const Result<void> ran = attempt("the program", [&] { return run(options); });
   if (ran) return kDone;

@@ -8,6 +8,7 @@
 
 #include "robot/app/clock_option.h"
 #include "robot/app/foxglove_download.h"
+#include "robot/app/given_back.h"
 #include "robot/app/lab_objects.h"
 #include "robot/app/relayed_robots.h"
 #include "robot/app/runtime.h"
@@ -121,6 +122,7 @@ std::string recorded_objects(const memory::Channels& channels, bool images) {
 }  // namespace
 
 Result<void> watch_truth(const TruthOptions& options) {
+  give_images_back();
   const auto kinds = kinds_of(options);
   if (!kinds) return kinds.failure();
   const auto tags = tag_plan(options, kinds->sensors);
