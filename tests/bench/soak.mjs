@@ -129,7 +129,11 @@ async function truthServer(seconds) {
   const { written, world } = seen;
   const span = Math.round(((world.messages - 1) / world.rate_hz) * kImagesHz) + 1;
   const wanted = kDays * kDay * kImagesHz;
-  report.figure("images", written[sensors[0]] + written[sensors[1]], `of ${wanted} of one sensor in ${kDays} days`);
+  report.figure(
+    "reports of the sensors, one for each image in time",
+    written[sensors[0]] + written[sensors[1]],
+    `of ${wanted} of one sensor in ${kDays} days`,
+  );
   report.figure("truths that a lossless viewer lacks", Math.max(0, span - world.messages), `of ${span}`, {
     exactly: 0,
   });
