@@ -145,13 +145,15 @@ async function tellClients(report, seconds) {
 
 export async function truth({ seconds = 20, probes = 200, files = 10_000, minutes = 5 }) {
   const report = new Report("truth", "how exact, fast and steady is ground truth, on synthetic images?");
-  await tellFrames(report, probes);
-  await tellPeers(report, probes);
-  await tellCalibration(report, probes);
-  await tellTracks(report);
-  await tellOffsets(report, probes);
+  if (probes > 0) {
+    await tellFrames(report, probes);
+    await tellPeers(report, probes);
+    await tellCalibration(report, probes);
+    await tellTracks(report);
+    await tellOffsets(report, probes);
+  }
   if (files > 0) await tellTags(report, files);
   if (minutes > 0) await tellGame(report, 60 * minutes);
-  await tellClients(report, seconds);
+  if (seconds > 0) await tellClients(report, seconds);
   return report.finish();
 }
