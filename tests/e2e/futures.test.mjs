@@ -142,7 +142,7 @@ test("the answer to why not is tried out", async (t) => {
 async function openChange(t, server, back = 0) {
   const { page, problems } = await open(t, `${server.http}/#/14/2/debug`);
   const debug = page.getByRole("region", { name: "Debug", exact: true });
-  await page.getByText("a recording").waitFor();
+  await page.getByText("a recording", { exact: true }).waitFor();
   await page.keyboard.press("Space");
   await page.keyboard.press("End");
   for (let second = 0; second < back; ++second) await page.keyboard.press("ArrowLeft");
