@@ -375,4 +375,11 @@ export const proofs = [
     seen: "30.0 each; 7 ms",
     by: "truth",
   },
+  {
+    question:
+      "Four minutes of a rendered game that two synthetic sensors watch, from end to end, live and after `foresight-lab smooth`: error of robots, mean and p95; of the ball, median and p95; velocity of a rolling ball, rms; switched tracks",
+    bar: "<= 2.5 and 5 cm; 1.2 cm and none; <= 5 cm/s; none",
+    seen: "0.80 and 1.3 cm, smoothed 0.79 and 1.1; 0.07 and 0.9 cm, smoothed 0.06 and 0.8; 15 cm/s, **smoothed 11 cm/s**: each kick, push and rebound of a game is an image early or late; 2",
+    by: "truth",
+  },
 ];
