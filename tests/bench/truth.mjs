@@ -103,7 +103,7 @@ async function tellGame(report, seconds) {
     const name = `rendered game, ${how}`;
     report.figure(`${name}: robots, mean error`, cm(found.robots.mean), "cm", { atMost: 2.5 });
     report.figure(`${name}: robots, p95 error`, cm(found.robots.p95), "cm", { atMost: 5 });
-    report.figure(`${name}: robots that are none, of a moment`, found.robots.strangers, "", { atMost: 0.02 });
+    report.figure(`${name}: false robots of a moment`, found.robots.strangers, "", { atMost: 0.02 });
     report.figure(`${name}: robots not reported, of a moment`, found.unseen);
     report.figure(`${name}: switched tracks`, found.switches, `in ${seconds} s`);
     report.figure(`${name}: ball, median error`, cm(found.ball.median), "cm", { atMost: 1.2 });
