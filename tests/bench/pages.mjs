@@ -8,8 +8,6 @@ const { chromium } = require("playwright-core");
 /** Words for a program that serves the viewer at any free port. */
 export const state = ["--port", 0, "--state-dir", join(scratch, "state")];
 
-export const quantile = (values, part) =>
-  [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
 export async function openBrowser() {
   const executablePath = command("which", "chromium").trim();
   const browser = await chromium.launch({

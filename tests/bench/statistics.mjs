@@ -1,4 +1,4 @@
-// Confidence of means, equivalence, powers of growth; and random numbers that are the same every time.
+// Quantiles, confidence of means, equivalence, powers of growth; and random numbers that are the same every time.
 
 const kNormal = { 90: 1.6449, 95: 1.96 }; // two-sided, for samples of dozens and more
 
@@ -8,6 +8,10 @@ export function meanOf(values) {
   const squares = values.reduce((sum, value) => sum + (value - mean) ** 2, 0);
   return { mean, error: values.length < 2 ? Infinity : Math.sqrt(squares / (values.length - 1) / values.length) };
 }
+
+/** The value below which `part` of all lie, 0 .. 1. */
+export const quantile = (values, part) =>
+  [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
 
 /** Returns mean and standard error of a - b, game by game. Both games of a pair have one seed, which cancels common luck. */
 export const differenceOf = (a, b) => meanOf(a.map((value, i) => value - b[i]));

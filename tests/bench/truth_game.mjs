@@ -3,6 +3,7 @@ import { join } from "node:path";
 import { decoderOf } from "../e2e/live.mjs";
 import { readSession } from "../e2e/mcap.mjs";
 import { onlySession, scratch, sleep, start } from "./programs.mjs";
+import { meanOf, quantile } from "./statistics.mjs";
 
 const kNear = 0.3; // [m] a report that is farther from all robots is of none
 const kMoves = 0.3; // [m/s] a ball that rolls
@@ -33,9 +34,7 @@ function truthAt(truths, from, at) {
   };
 }
 
-const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
-const mean = (values) => values.reduce((a, b) => a + b, 0) / values.length;
-const rms = (values) => Math.sqrt(mean(values.map((value) => value * value)));
+const rms = (values) => Math.sqrt(meanOf(values.map((value) => value * value)).mean);
 
 /** The figures of a truth beside the true places [m, m/s]. */
 function compare(session) {
@@ -69,7 +68,7 @@ function compare(session) {
       velocity.push(Math.hypot(seen.velocity_x - truth.ball.velocity_x, seen.velocity_y - truth.ball.velocity_y));
   }
   return {
-    robots: { mean: mean(robots), p95: quantile(robots, 0.95), strangers: strangers / moments },
+    robots: { mean: meanOf(robots).mean, p95: quantile(robots, 0.95), strangers: strangers / moments },
     unseen: unseen / moments,
     switches,
     ball: { median: quantile(ball, 0.5), p95: quantile(ball, 0.95), seen: ball.length / moments },

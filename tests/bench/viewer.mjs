@@ -6,9 +6,10 @@ import { join } from "node:path";
 import { framesOf } from "../e2e/frames.mjs";
 import { decode } from "../e2e/live.mjs";
 import { readStreamed } from "../e2e/mcap.mjs";
-import { drawn, openBrowser, openPage, quantile, state } from "./pages.mjs";
+import { drawn, openBrowser, openPage, state } from "./pages.mjs";
 import { command, scratch, sleep, start } from "./programs.mjs";
 import { Report } from "./report.mjs";
+import { quantile } from "./statistics.mjs";
 import { recordGame, whole } from "./viewer_whole.mjs";
 
 const kSeeks = 60;

@@ -1,9 +1,10 @@
 // The workspace Debug of the viewer: the time until its first screen, until a step is drawn, and of a comparison of futures.
 import { kSubprotocols, Live } from "../e2e/live.mjs";
 import { require } from "../e2e/support.mjs";
-import { drawn, openBrowser, openPage, quantile, state } from "./pages.mjs";
+import { drawn, openBrowser, openPage, state } from "./pages.mjs";
 import { start } from "./programs.mjs";
 import { median } from "./report.mjs";
+import { quantile } from "./statistics.mjs";
 
 const WebSocket = require("ws");
 
