@@ -6,14 +6,9 @@
 namespace robot::app {
 namespace {
 
-/// Least deviation [m] of an own pose. A robot that is surer than this is wrong now and then.
-constexpr double kLeastDeviation = 0.1;
-
-/// Returns the newest message of a channel, or nothing without one.
+/// Returns the message of a version, or nothing without one.
 template <class Message>
-std::optional<Message> newest(const memory::Channels& channels, const std::string& topic) {
-  const auto channel = channels.find(topic);
-  const memory::VersionPtr version = channel ? channel->newest() : nullptr;
+std::optional<Message> message_of(const memory::VersionPtr& version) {
   Message message;
   if (!version || !message.ParseFromArray(version->bytes().data(), static_cast<int>(version->bytes().size())))
     return {};
@@ -31,7 +26,7 @@ std::optional<truth::OwnPose> own_pose_of(RobotName robot, const foresight::Pose
                      .team = static_cast<std::uint32_t>(robot.team),
                      .player = static_cast<std::uint32_t>(robot.player),
                      .position = {turn * pose.x(), turn * pose.y()},
-                     .deviation = std::max(kLeastDeviation, deviation)};
+                     .deviation = std::max(kLeastPoseDeviation, deviation)};
   if (!std::isfinite(deviation) || !own.position.allFinite()) return {};
   return own;
 }
@@ -44,8 +39,9 @@ void RobotPoses::pass_on() {
     if (!version || passed_[topic] == version->capture_ns()) continue;
     passed_[topic] = version->capture_ns();
     const Result<RobotName> robot = parse_robot_name(name.robot);
-    const auto pose = newest<foresight::Pose>(robots_, topic);
-    const auto game = newest<foresight::GameState>(robots_, "/" + std::string(name.robot) + "/" + kGameObject);
+    const auto game_channel = robots_.find("/" + std::string(name.robot) + "/" + kGameObject);
+    const auto game = message_of<foresight::GameState>(game_channel ? game_channel->newest() : nullptr);
+    const auto pose = message_of<foresight::Pose>(version);
     if (!robot || !pose || !game) continue;
     if (const auto own = own_pose_of(*robot, *pose, *game, version->capture_ns())) writer_.identify(*own);
   }

@@ -17,6 +17,9 @@ namespace robot::app {
 /// The objects of a robot that are needed.
 inline constexpr const char *kPoseObject = "pose", *kGameObject = "game";
 
+/// Least deviation [m] of an own pose. Its errors last for seconds, and a robot that is surer than this is wrong now and then.
+inline constexpr double kLeastPoseDeviation = 0.1;
+
 /// Returns a robot's pose in the frame `field`. Returns nothing while the direction of play is not known, or for numbers
 /// that are not finite.
 std::optional<truth::OwnPose> own_pose_of(RobotName robot, const foresight::Pose& pose,

@@ -7,10 +7,10 @@
 #include "robot/app/clock_option.h"
 #include "robot/app/robot_name.h"
 #include "robot/app/session_copy.h"
+#include "robot/app/truth/robot_poses.h"
 #include "robot/app/truth/sensor_messages.h"
 #include "robot/app/truth/truth_writer.h"
 #include "robot/core/text.h"
-#include "robot/lab/clocks/own_path.h"
 #include "robot/lab/clocks/session_times.h"
 #include "robot/logging/sessions/read_all.h"
 #include "robot/memory/schema.h"
@@ -18,9 +18,6 @@
 
 namespace robot::app {
 namespace {
-
-/// Least deviation [m] of a robot's own poses. Its errors last for seconds, so that their mean says little.
-constexpr double kLeastPoseDeviation = 0.1;
 
 /// Images of several sensors that are closer in time show one moment.
 constexpr std::uint64_t kSameMomentNs = 10 * kMillisecond;
@@ -82,7 +79,6 @@ Result<Watched> read_watched(const logging::Session& session) {
 /// Appends the robot's own poses at the truth's times to `poses`, or says in `named` why it cannot.
 void add_poses(const lab::TruthRecord& truth, const lab::JudgedRobot& robot, NamedRobot& named,
                std::vector<truth::OwnPose>& poses) {
-  constexpr double kReach = 0.5;  // [s] a drift of an hour
   if (!robot.offset) {
     named.refused = "its clock's offset is not known: " + robot.offset.error();
     return;
@@ -94,7 +90,7 @@ void add_poses(const lab::TruthRecord& truth, const lab::JudgedRobot& robot, Nam
     named.refused = name.error();
     return;
   }
-  const auto own = own_path(truth, robot.record, {.middle = clock.offset, .reach = kReach});
+  const auto own = own_path(truth, robot);
   if (!own || own->poses.empty()) {
     named.refused = own ? "its poses fit no robot of the truth" : own.error();
     return;

@@ -83,6 +83,12 @@ std::vector<JudgedRobot> judged_robots(const std::vector<logging::Session>& sess
 
 }  // namespace
 
+Result<OwnPath> own_path(const TruthRecord& truth, const JudgedRobot& robot) {
+  constexpr double kReach = 0.5;  // [s] a drift of an hour
+  if (!robot.offset) return robot.offset.failure();
+  return own_path(truth, robot.record, {.middle = robot.offset->clock.offset, .reach = kReach});
+}
+
 Result<SessionTimes> session_times(const std::vector<logging::Session>& sessions, std::uint64_t most_ns) {
   std::vector<RecordedClock> clocks;
   for (const logging::Session& session : sessions) clocks.push_back(read_clock(session));

@@ -7,6 +7,7 @@
 
 #include "robot/core/result.h"
 #include "robot/lab/clocks/clock_agreement.h"
+#include "robot/lab/clocks/own_path.h"
 #include "robot/lab/clocks/truth_offset.h"
 #include "robot/logging/sessions/session.h"
 
@@ -18,6 +19,9 @@ struct JudgedRobot {
   RobotRecord record;
   Result<TruthOffset> offset;  // of its clock to that of the truth, or the reason why it is not known
 };
+
+/// Returns the robot's own path among those of the truth, or an Error if its clock or its path is not known.
+Result<OwnPath> own_path(const TruthRecord& truth, const JudgedRobot& robot);
 
 /// The times of several sessions.
 struct SessionTimes {

@@ -11,12 +11,9 @@ namespace {
 constexpr double kPpm = 1e6;
 
 Result<BeliefErrors> ball_errors(const TruthRecord& truth, const JudgedRobot& robot) {
-  constexpr double kReach = 0.5;  // [s] a drift of an hour
-  if (!robot.offset) return robot.offset.failure();
-  const DataOffset& clock = robot.offset->clock;
-  const auto own = own_path(truth, robot.record, {.middle = clock.offset, .reach = kReach});
+  const auto own = own_path(truth, robot);
   if (!own) return own.failure();
-  return belief_errors(truth, *own, robot.record, clock);
+  return belief_errors(truth, *own, robot.record, robot.offset->clock);
 }
 
 nlohmann::json json_of(const TruthOffset& offset) {
