@@ -17,8 +17,7 @@ DepthFrame picture_frame(ColourImage image, std::uint64_t capture_ns);
 
 /// Returns the driver of the video device at `path` for images of this size [px]. It streams MJPEG, or YUYV if it has no
 /// MJPEG: USB 2 carries uncompressed 1280x720 at 10 images a second only.
-///
-/// The capture time is the kernel's time stamp (of the monotonic clock) plus the offset to the epoch when this was called.
+/// Capture times are those of kernel_camera.h.
 std::unique_ptr<SensorDriver> picture_driver(std::filesystem::path path, std::uint32_t width, std::uint32_t height,
                                              std::unique_ptr<nao::VideoDevice> device);
 

@@ -12,8 +12,7 @@ namespace robot::truth {
 
 /// Returns the driver of the video device at `path` for images of this size. Its intrinsics are those of an Intel RealSense
 /// D435, because V4L2 knows none: a camera file should replace them.
-///
-/// The capture time is the kernel's time stamp (of the monotonic clock) plus the offset to the epoch when this was called.
+/// Capture times are those of kernel_camera.h.
 std::unique_ptr<SensorDriver> video_driver(std::filesystem::path path, std::uint32_t width, std::uint32_t height,
                                            std::unique_ptr<nao::VideoDevice> device);
 
