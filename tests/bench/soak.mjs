@@ -1,9 +1,9 @@
 // Does memory grow? Ten minutes each of a robot and of the ground-truth server, with viewers that connect and disconnect.
 // With `speed`, each writes as many truths as in the thesis's two weeks.
+import { sendPackets } from "../e2e/ssl_packets.mjs";
 import { sleep, startClients, startRobot } from "./programs.mjs";
 import { median, pretty, Report } from "./report.mjs";
 import { runTruth } from "./soak_truth.mjs";
-import { sendPackets } from "./ssl_packets.mjs";
 
 const kDay = 86_400; // [s]
 const kDays = 14;

@@ -8,6 +8,7 @@ import { test } from "node:test";
 import { open, shoot } from "./browser.mjs";
 import { Live } from "./live.mjs";
 import { readSession } from "./mcap.mjs";
+import { packet } from "./ssl_packets.mjs";
 import { atEnd, dataFile, needsData, root, run, start, temporaryFolder, until } from "./support.mjs";
 
 const watchField = (t, ...options) => start(t, temporaryFolder(t), "foresight-lab", "truth", ...options);
@@ -273,17 +274,6 @@ test("a process of a lab's own reports the truth through the door", async (t) =>
   assert.equal(robots.length, 2);
 });
 
-/** One field of a protobuf message: a varint, a double, a float or a message. */
-const varint = (field, value) => Buffer.from([field << 3, value]);
-const double = (field, value) =>
-  Buffer.concat([Buffer.from([(field << 3) | 1]), Buffer.from(Float64Array.of(value).buffer)]);
-const float = (field, value) =>
-  Buffer.concat([Buffer.from([(field << 3) | 5]), Buffer.from(Float32Array.of(value).buffer)]);
-const message = (field, ...fields) => {
-  const bytes = Buffer.concat(fields);
-  return Buffer.concat([Buffer.from([(field << 3) | 2, bytes.length]), bytes]);
-};
-
 test("packets of SSL-Vision become the truth", async (t) => {
   const address = "239.5.23.77";
   const port = 20000 + (process.pid % 20000);
@@ -291,31 +281,12 @@ test("packets of SSL-Vision become the truth", async (t) => {
   await live.subscribe("/truth/world");
   const socket = createSocket("udp4");
   atEnd(t, () => socket.close());
+  const { bytes, set } = packet();
   let frame = 0;
-  const packet = () => {
-    const seconds = 100 + ++frame / 60;
-    const ball = message(5, float(1, 0.9), float(3, 1250), float(4, -500), float(6, 1), float(7, 1));
-    const robot = message(
-      6,
-      float(1, 1),
-      varint(2, 3),
-      float(3, -1000),
-      float(4, 250),
-      float(5, 0.5),
-      float(6, 1),
-      float(7, 1),
-    );
-    return message(
-      1,
-      varint(1, frame % 120),
-      double(2, seconds),
-      double(3, seconds + 0.002),
-      varint(4, 0),
-      ball,
-      robot,
-    );
-  };
-  const sending = setInterval(() => socket.send(packet(), port, address), 16);
+  const sending = setInterval(() => {
+    set(++frame, 100 + frame / 60);
+    socket.send(Buffer.from(bytes), port, address);
+  }, 16);
   atEnd(t, () => clearInterval(sending));
   const { ball, robots } = await newest(live, "/truth/world");
   assert.ok(Math.abs(ball.x - 1.25) < 1e-6 && Math.abs(ball.y + 0.5) < 1e-6);

@@ -1,4 +1,4 @@
-// Packets of SSL-Vision at a high rate: the cheapest images of a field that the ground-truth server takes.
+// Packets of SSL-Vision: the cheapest images of a field that the ground-truth server takes.
 import { createSocket } from "node:dgram";
 import { once } from "node:events";
 
@@ -12,20 +12,22 @@ const message = (field, ...parts) => {
   return Buffer.concat([Buffer.from([(field << 3) | 2, bytes.length]), bytes]);
 };
 
-/** Returns one packet with a ball and a robot, and the function that gives it a frame number and a time [s]. */
-function packet() {
+/**
+ * Returns one packet and the function that gives it a frame number and a time [s]. It shows a ball at (1.25, -0.5) m, and
+ * the yellow robot 3 at (-1, 0.25) m with heading 0.5.
+ */
+export function packet() {
   const ball = message(5, float(1, 0.9), float(3, 1250), float(4, -500), float(6, 1), float(7, 1));
+  const number = Buffer.from([2 << 3, 3]);
   const robot = message(
-    ...[
-      6,
-      float(1, 1),
-      Buffer.from([2 << 3, 3]),
-      float(3, -1000),
-      float(4, 250),
-      float(5, 0.5),
-      float(6, 1),
-      float(7, 1),
-    ],
+    6,
+    float(1, 1),
+    number,
+    float(3, -1000),
+    float(4, 250),
+    float(5, 0.5),
+    float(6, 1),
+    float(7, 1),
   );
   const frame = Buffer.concat([Buffer.from([1 << 3]), Buffer.alloc(kFrameBytes)]);
   const time = (field) => Buffer.concat([Buffer.from([(field << 3) | 1]), Buffer.alloc(8)]);
