@@ -189,6 +189,57 @@ test("two pages show the pictures of their own moments", async (t) => {
   assert.deepEqual([...pages[0].problems, ...pages[1].problems], []);
 });
 
+test("a page stays at the pressed moment although the beliefs of its picture arrive later than the picture", async (t) => {
+  const folder = temporaryFolder(t);
+  const server = await play(t, folder, await synthesize(folder, { seconds: 4 }));
+  const { page, problems } = await open(t, "about:blank");
+  const topics = new Map(); // by channel
+  const pictures = new Set(); // subscriptions
+  const sought = [];
+  const late = []; // sends what is held back, in order
+  let holds = false;
+  await page.routeWebSocket(/./, (socket) => {
+    const behind = socket.connectToServer();
+    behind.onMessage((data) => {
+      if (typeof data === "string") for (const { id, topic } of JSON.parse(data).channels ?? []) topics.set(id, topic);
+      const isBelief = typeof data !== "string" && data[0] === 1 && !pictures.has(data.readUInt32LE(1));
+      if (holds && isBelief) late.push(() => socket.send(data));
+      else socket.send(data);
+    });
+    socket.onMessage((data) => {
+      if (typeof data === "string")
+        for (const { id, channelId } of JSON.parse(data).subscriptions ?? [])
+          if (/camera_(top|bottom)/.test(topics.get(channelId)) && !/matrix/.test(topics.get(channelId)))
+            pictures.add(id);
+      if (typeof data !== "string" && data[0] === 3 && data[6] === 1) sought.push(data.readBigUInt64LE(7));
+      behind.send(data);
+    });
+  });
+  await page.goto(`${server.http}/#/14/2/camera`);
+  await page.locator("canvas[aria-label='top camera']:not([hidden])").waitFor();
+  await page.keyboard.press("Space");
+  await stands(page);
+  const kPresses = [0.3, 0.8, 0.51, 0.13];
+  for (const [i, share] of kPresses.entries()) {
+    holds = true;
+    await pressStrip(page, share);
+    await until(
+      () => sought.length > i,
+      "the seek",
+      undefined,
+      () => sought.join(),
+    );
+    await page.waitForTimeout(250); // the picture is drawn meanwhile
+    holds = false;
+    for (const send of late.splice(0)) send();
+    await moment(page, "the pressed moment", (ns) => ns === sought.at(-1));
+  }
+  await page.waitForTimeout(500);
+  assert.equal(sought.length, kPresses.length, sought.join());
+  assert.equal(at(page), sought.at(-1));
+  assert.deepEqual(problems, []);
+});
+
 test("a playhead of a page's own goes on after a lost connection: place, speed, and whether it plays", async (t) => {
   const server = await game(t);
   const { page } = await open(t, "about:blank", { breaksConnections: true });
