@@ -68,8 +68,8 @@ TEST_F(OldSessions, AListThatMustNotWaitHasEachSessionAtOnceAndItsStreamsSoon) {
   EXPECT_EQ(store.list_within(0)[0].streams.size(), 1u);
   EXPECT_EQ(store.list_within(60 * kSecond)[0].message, "");
   // as it was read last, while a change is read
-  std::ofstream(folder / "new/session.json")
-      << to_json({.name = "renamed", .robot = "14/2", .start_ns = kNow, .complete = true});
+  ASSERT_TRUE(store_file(folder / "new/session.json",  // at once: the other thread would mend half a file
+                         to_json({.name = "renamed", .robot = "14/2", .start_ns = kNow, .complete = true})));
   EXPECT_EQ(store.list_within(0)[0].streams.size(), 1u);
   EXPECT_EQ(store.list_within(60 * kSecond)[0].info.name, "renamed");
 }
