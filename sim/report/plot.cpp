@@ -52,6 +52,14 @@ void Plot::line(const std::string& style, const std::vector<std::pair<double, do
                         x_of(points.back().first), y_of(points.back().second));
 }
 
+void Plot::dots(const std::string& style, const std::vector<std::pair<double, double>>& points) {
+  drawn_ += "<g class=\"" + style + "\">\n";
+  for (const auto& [x, y] : points)
+    if (x >= left_ && x <= right_ && y >= bottom_ && y <= top_)
+      drawn_ += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.8\"/>\n", x_of(x), y_of(y));
+  drawn_ += "</g>\n";
+}
+
 void Plot::band(const std::string& style, const std::vector<double>& x, const std::vector<double>& low,
                 const std::vector<double>& high) {
   drawn_ += "<polygon class=\"" + style + "\" points=\"";

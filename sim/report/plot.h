@@ -17,6 +17,8 @@ class Plot {
 
   /// `style` is a CSS class of the page: "path", "zero", "mean" …
   void line(const std::string& style, const std::vector<std::pair<double, double>>& points);
+  /// Draws a dot for each point; those outside the ranges are left out.
+  void dots(const std::string& style, const std::vector<std::pair<double, double>>& points);
   /// Fills the area between two lines with the same x.
   void band(const std::string& style, const std::vector<double>& x, const std::vector<double>& low,
             const std::vector<double>& high);

@@ -269,6 +269,18 @@ export const rows = {
     "robot/truth/feeds",
   ],
   "robot/command": [],
+  "robot/fit/math": [],
+  "robot/fit": [
+    "robot/core",
+    "robot/memory",
+    "robot/logging",
+    "robot/logging/mcap",
+    "robot/logging/streams",
+    "robot/logging/sessions",
+    "robot/lab/clocks",
+    "robot/fit/math",
+    "proto",
+  ],
   "robot/lab/clocks": [
     "robot/core",
     "robot/memory",
@@ -280,6 +292,7 @@ export const rows = {
   ],
   "robot/lab/import": [
     "robot/core",
+    "robot/fit/math",
     "robot/memory",
     "robot/logging",
     "robot/logging/mcap",

@@ -14,6 +14,7 @@ using command::Command, command::kDone;
 inline int fail(const std::string& sentence) { return command::fail("foresight-lab", sentence); }
 
 std::unique_ptr<Command> calibrate_command(CLI::App& app);
+std::unique_ptr<Command> fit_command(CLI::App& app);
 std::unique_ptr<Command> game_statistics_command(CLI::App& app);
 std::unique_ptr<Command> import_command(CLI::App& app);
 std::unique_ptr<Command> info_command(CLI::App& app);

@@ -7,6 +7,7 @@
 
 #include "robot/core/json_library.h"
 #include "robot/core/text.h"
+#include "robot/lab/clocks/true_motion.h"
 
 namespace robot::lab {
 namespace {
@@ -21,36 +22,6 @@ struct Errors {
   BeliefErrorBin bin(double from, double to) const {
     return {.from = from, .to = to, .place = figures_of(place), .distance = figures_of(distance)};
   }
-};
-
-/// The truth as smooth curves.
-class TrueMotion {
- public:
-  TrueMotion(const TruthRecord& truth, const Path& own)
-      : ball_x_(curve_of(truth.ball, &PlaceAt::x)),
-        ball_y_(curve_of(truth.ball, &PlaceAt::y)),
-        own_x_(curve_of(own, &PlaceAt::x)),
-        own_y_(curve_of(own, &PlaceAt::y)) {}
-
-  struct Moment {
-    PlaceAt ball;
-    double speed = 0;     // [m/s] of the ball
-    double distance = 0;  // [m] from the robot to the ball
-  };
-
-  /// Returns the moment, or nothing if the ball or the robot was not seen around it.
-  std::optional<Moment> at(double seconds) const {
-    const auto x = ball_x_.at(seconds), y = ball_y_.at(seconds);
-    const auto own_x = own_x_.at(seconds), own_y = own_y_.at(seconds);
-    const auto speed_x = ball_x_.rate_at(seconds), speed_y = ball_y_.rate_at(seconds);
-    if (!x || !y || !own_x || !own_y || !speed_x || !speed_y) return std::nullopt;
-    return Moment{.ball = {.at = seconds, .x = *x, .y = *y},
-                  .speed = std::hypot(*speed_x, *speed_y),
-                  .distance = std::hypot(*x - *own_x, *y - *own_y)};
-  }
-
- private:
-  SmoothCurve ball_x_, ball_y_, own_x_, own_y_;
 };
 
 /// Returns the error of the ball on the field [m].

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "robot/lab/import/least_squares.h"
+#include "robot/fit/math/least_squares.h"
 
 namespace robot::lab::labels {
 namespace {
+
+using fit::LeastSquares, fit::Solution, fit::Vector;
 
 constexpr double kHead = 0.54;     // [m] top of the box of a standing robot; includes the box's margin
 constexpr double kEdge = 5;        // [px] a box nearer to the left or right edge may be cut

@@ -2,10 +2,12 @@
 
 #include <array>
 
-#include "robot/lab/import/least_squares.h"
+#include "robot/fit/math/least_squares.h"
 
 namespace robot::lab::labels {
 namespace {
+
+using fit::Vector;
 
 constexpr std::size_t kTerms = 6;
 constexpr int kRounds = 6;
@@ -46,7 +48,7 @@ Stance::Stance(const std::vector<Frame>& frames) {
         for (std::size_t j = 0; j < kTerms; ++j) squares[i][j] += terms[i] * terms[j];
       }
     }
-    auto factors = solve(std::move(squares), std::move(products));
+    auto factors = fit::solve(std::move(squares), std::move(products));
     if (!factors) return;
     factors_ = *std::move(factors);
   }

@@ -1,20 +1,32 @@
-#include "robot/lab/import/least_squares.h"
+#include "robot/fit/math/least_squares.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace robot::lab {
+namespace robot::fit {
 namespace {
 
 constexpr int kMostSteps = 100;
 constexpr double kEnough = 1e-9;  // share of the cost that a step must still gain
 constexpr double kMostDamping = 1e12;
 
-double cost_of(const Vector& residuals) {
+// Holland and Welsch 1977, Robust regression using iteratively reweighted least-squares
+constexpr double kCauchy = 2.385;
+
+double cost_of(Loss loss, const Vector& residuals) {
   double cost = 0;
-  for (const double residual : residuals) cost += std::sqrt(1 + residual * residual) - 1;
+  for (const double residual : residuals) {
+    const double square = residual * residual, far = kCauchy * kCauchy;
+    cost += loss == Loss::cauchy ? far / 2 * std::log1p(square / far) : std::sqrt(1 + square) - 1;
+  }
   return cost;
+}
+
+/// Returns the weight of a residual in the normal equations: the slope of its loss, divided by the residual.
+double weight_of(Loss loss, double residual) {
+  const double square = residual * residual;
+  return loss == Loss::cauchy ? 1 / (1 + square / (kCauchy * kCauchy)) : 1 / std::sqrt(1 + square);
 }
 
 /// The normal equations of a step: the gradient and the curvature of the cost, with the weight of each residual.
@@ -36,7 +48,7 @@ Normal normal_at(const LeastSquares& problem, const Vector& parameters, const Ve
   }
   Normal normal{.curvature = std::vector<Vector>(count, Vector(count)), .gradient = Vector(count)};
   for (std::size_t k = 0; k < residuals.size(); ++k) {
-    const double weight = 1 / std::sqrt(1 + residuals[k] * residuals[k]);
+    const double weight = weight_of(problem.loss, residuals[k]);
     for (std::size_t i = 0; i < count; ++i) {
       normal.gradient[i] += weight * slopes[i][k] * residuals[k];
       for (std::size_t j = 0; j < count; ++j) normal.curvature[i][j] += weight * slopes[i][k] * slopes[j][k];
@@ -86,13 +98,13 @@ Solution minimise(const LeastSquares& problem, Vector start) {
   Vector residuals, trial;
   problem.residuals(best.parameters, residuals);
   trial.resize(residuals.size());
-  best.cost = cost_of(residuals);
+  best.cost = cost_of(problem.loss, residuals);
   double damping = 1e-3;
   Normal normal = normal_at(problem, best.parameters, residuals);
   for (int step = 0; step < kMostSteps && damping < kMostDamping; ++step) {
     const auto next = stepped(problem, best.parameters, normal, damping);
     if (next) problem.residuals(*next, trial);
-    const double cost = next ? cost_of(trial) : best.cost;
+    const double cost = next ? cost_of(problem.loss, trial) : best.cost;
     if (!(cost < best.cost)) {
       damping *= 5;
       continue;
@@ -107,4 +119,4 @@ Solution minimise(const LeastSquares& problem, Vector start) {
   return best;
 }
 
-}  // namespace robot::lab
+}  // namespace robot::fit

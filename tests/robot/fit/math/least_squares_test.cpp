@@ -1,10 +1,10 @@
-#include "robot/lab/import/least_squares.h"
+#include "robot/fit/math/least_squares.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace robot::lab {
+namespace robot::fit {
 namespace {
 
 TEST(LeastSquares, SolvesAnEquation) {
@@ -40,6 +40,16 @@ TEST(LeastSquares, AnOutlierMovesThemLittle) {
   EXPECT_NEAR(found.parameters[1], -0.7, 0.1);
 }
 
+TEST(LeastSquares, TheLossOfCauchyForgetsALargeOutlier) {
+  LeastSquares problem = curve(500);
+  const Solution pulled = minimise(problem, {2, -0.7});
+  problem.loss = Loss::cauchy;
+  const Solution found = minimise(problem, {2, -0.7});
+  EXPECT_NEAR(found.parameters[0], 2, 0.001);
+  EXPECT_NEAR(found.parameters[1], -0.7, 0.001);
+  EXPECT_GT(std::abs(pulled.parameters[0] - 2), 0.01) << "a linear loss has a pull that does not fall";
+}
+
 TEST(LeastSquares, StaysWithinTheBounds) {
   LeastSquares problem = curve(0);
   problem.least[1] = -0.5;
@@ -48,4 +58,4 @@ TEST(LeastSquares, StaysWithinTheBounds) {
 }
 
 }  // namespace
-}  // namespace robot::lab
+}  // namespace robot::fit

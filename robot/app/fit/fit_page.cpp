@@ -1,0 +1,175 @@
+// The page of foresight-lab fit.
+#include <algorithm>
+#include <cmath>
+
+#include "robot/app/fit/fits.h"
+#include "robot/core/text.h"
+#include "sim/report/page.h"
+#include "sim/report/plot.h"
+
+namespace robot::app {
+namespace {
+
+using sim::report::escaped, sim::report::Plot;
+
+constexpr const char* kStyle = R"(
+:root { --truth: #1769d2; --robot: #d97706; --other: #8b95a5; }
+@media (prefers-color-scheme: dark) { :root { --truth: #6aa8ff; --robot: #f5a742; --other: #7d8796; } }
+h2 { font-size: 19px; margin: 30px 0 8px; } p { max-width: 75ch; }
+.plots { display: grid; gap: 14px; grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); }
+figure { margin: 0; } figcaption { font-size: 13.5px; color: var(--soft); margin-top: 4px; }
+svg { display: block; width: 100%; height: auto; }
+.grid { stroke: var(--line); } .tick, .axis, .label { fill: var(--soft); font-size: 12px; }
+.tick.y { text-anchor: end; } .tick.x, .axis { text-anchor: middle; }
+.truth { fill: var(--truth); color: var(--truth); opacity: .55; } .robot { fill: var(--robot); color: var(--robot); opacity: .55; }
+.fitted { fill: none; stroke: var(--ink); stroke-width: 2; } .power { fill: none; stroke: var(--other); stroke-width: 1.5; stroke-dasharray: 5 4; }
+.even { fill: none; stroke: var(--other); stroke-width: 1; } .sure { fill: var(--ink); opacity: .13; } circle.end { display: none; }
+.key { display: inline-block; width: 11px; height: 11px; border-radius: 6px; margin: 0 5px 0 12px; background: currentColor; }
+.key.line { height: 2px; width: 20px; vertical-align: middle; border-radius: 0; } .key.power { background: var(--other); }
+.wide { overflow-x: auto; margin-top: 14px; } td, th { text-align: right; padding: 4px 0 4px 16px; white-space: nowrap; }
+td:first-child, th:first-child { text-align: left; padding-left: 0; } td.text, th.text { text-align: left; white-space: normal; }
+tr.best td { font-weight: 600; } ul { padding-left: 20px; margin: 6px 0; }
+)";
+
+using Points = std::vector<std::pair<double, double>>;
+
+std::string figure_of(const std::string& svg, const std::string& caption) {
+  return "<figure class=\"card\">" + svg + "<figcaption>" + caption + "</figcaption></figure>\n";
+}
+
+constexpr const char* kDistanceKeys =
+    "<span class=\"key truth\"></span>truth<span class=\"key robot\"></span>the robot's vision"
+    "<span class=\"key line\"></span>fitted, with its 95 % band";
+
+/// Draws the distance over the radius: figure 11 of the thesis.
+std::string curve_plot(const fit::BallDistance& fit) {
+  double top = 0;
+  Points truth, believed, fitted, power;
+  for (const fit::BallSize& size : fit.seen.sizes) {
+    top = std::max(top, size.distance);
+    truth.emplace_back(size.radius, size.distance);
+    believed.emplace_back(size.radius, size.believed);
+  }
+  std::vector<double> radii, low, high;
+  for (const fit::CurvePoint& point : fit.curve) {
+    radii.push_back(point.radius);
+    low.push_back(point.low);
+    high.push_back(point.high);
+    fitted.emplace_back(point.radius, point.distance);
+    power.emplace_back(point.radius, fit.power_law.distance(point.radius));
+  }
+  Plot plot(0, 1.02 * fit.most_radius, 0, 1.1 * top);
+  plot.band("sure", radii, low, high);
+  plot.dots("robot", believed);
+  plot.dots("truth", truth);
+  plot.line("power", power);
+  plot.line("fitted", fitted);
+  return figure_of(
+      plot.svg("distance of the ball over its radius", "radius in the image [px of 640]"),
+      std::string("Distance [m] over the radius.") + kDistanceKeys + "<span class=\"key line power\"></span>power law");
+}
+
+/// Draws what the robot and the curve say over what is true.
+std::string truth_plot(const fit::BallDistance& fit) {
+  double most = 0;
+  Points believed, fitted;
+  for (const fit::BallSize& size : fit.seen.sizes) {
+    most = std::max(most, size.distance);
+    believed.emplace_back(size.distance, size.believed);
+    fitted.emplace_back(size.distance, fit.pinhole.distance(size.radius));
+  }
+  Plot plot(0, 1.05 * most, 0, 1.1 * most);
+  plot.line("even", {{0, 0}, {1.05 * most, 1.05 * most}});
+  plot.dots("robot", believed);
+  plot.dots("truth", fitted);
+  return figure_of(plot.svg("estimated over true distance", "true distance [m]"),
+                   "Estimated distance [m] over the truth; on the line nothing is wrong."
+                   "<span class=\"key robot\"></span>the robot's vision<span class=\"key truth\"></span>fitted curve");
+}
+
+std::string held_out_table(const fit::BallDistance& fit) {
+  std::string text =
+      "<div class=\"card wide\"><table>\n<tr><th>curve</th><th>true distance [m]</th><th>images</th><th>mean "
+      "[cm]</th><th>median</th><th>95 %</th><th>bias</th></tr>\n";
+  for (const fit::HeldOut& errors : fit.held_out) {
+    const bool is_whole = &errors == &fit.held_out.front() || (&errors - 1)->curve != errors.curve;
+    text += formatted(
+        "<tr%s><td>%s</td><td>%s</td><td>%zu</td><td>%.1f</td><td>%.1f</td><td>%.1f</td><td>%+.1f</td></tr>\n",
+        is_whole ? " class=\"best\"" : "", escaped(errors.curve).c_str(),
+        is_whole ? "all" : formatted("%.1f .. %.1f", errors.from, errors.to).c_str(), errors.images, 100 * errors.mean,
+        100 * errors.median, 100 * errors.p95, 100 * errors.bias);
+  }
+  return text + "</table></div>\n";
+}
+
+std::string part_of(const fit::BallDistance& fit) {
+  return "<h2>Distance of the ball from its size</h2>\n<div class=\"plots\">\n" + curve_plot(fit) + truth_plot(fit) +
+         "</div>\n" +
+         formatted(
+             "<p class=\"soft\">Errors on images held out, %s. %zu images: left out were %zu without truth, %zu cut by "
+             "the border and %zu damaged.</p>\n",
+             fit.parts.c_str(), fit.seen.sizes.size(), fit.seen.without_truth, fit.seen.cut, fit.seen.damaged) +
+         held_out_table(fit);
+}
+
+std::string part_of(const fit::Rolling& fit) {
+  const fit::Figure& figure = fit.deceleration;
+  Points rolls;
+  for (const fit::Roll& roll : fit.rolls) rolls.emplace_back(roll.speed, roll.deceleration);
+  Plot plot(0, 1.05 * figure.domain.to, 0, 3 * figure.value);
+  plot.band("sure", {0, 1.05 * figure.domain.to}, {figure.low, figure.low}, {figure.high, figure.high});
+  plot.dots("truth", rolls);
+  plot.line("fitted", {{0, figure.value}, {1.05 * figure.domain.to, figure.value}});
+  std::vector<double> decelerations;
+  for (const fit::Roll& roll : fit.rolls) decelerations.push_back(roll.deceleration);
+  std::ranges::sort(decelerations);
+  constexpr int kBars = 24;
+  const double most = 3 * figure.value, width = most / kBars;
+  std::vector<int> counts(kBars);
+  for (const double one : decelerations)
+    if (one >= 0 && one < most) ++counts[static_cast<std::size_t>(one / width)];
+  Plot bars(0, most, 0, 1.1 * *std::ranges::max_element(counts));
+  for (int i = 0; i < kBars; ++i)
+    if (const int count = counts[static_cast<std::size_t>(i)]; count > 0)
+      bars.bar("truth", i * width, (i + 1) * width, count, formatted("%d rolls", count));
+  return "<h2>How the turf slows the ball</h2>\n<div class=\"plots\">\n" +
+         figure_of(
+             plot.svg("deceleration of free rolls over speed", "speed at the begin [m/s]"),
+             "Deceleration [m/s²].<span class=\"key truth\"></span>a free roll<span class=\"key line\"></span>fitted, "
+             "with its 95 % band") +
+         figure_of(bars.svg("free rolls by deceleration", "deceleration [m/s²]"), "Number of free rolls.") + "</div>\n";
+}
+
+std::string figures_table(const Fits& fits) {
+  std::string text =
+      "<h2>All figures</h2>\n<div class=\"card wide\"><table>\n<tr><th>figure</th><th>value</th><th>95 "
+      "%</th><th>unit</th><th>events</th><th class=\"text\">valid for</th><th class=\"text\">from</th></tr>\n";
+  for (const fit::Figure& figure : fits.figures())
+    text += formatted(
+        "<tr><td>%s</td><td>%.4g</td><td>%.4g .. %.4g</td><td>%s</td><td>%zu %s</td><td class=\"text\">%s %.2f "
+        ".. %.2f %s</td><td class=\"text\">%s</td></tr>\n",
+        escaped(figure.name).c_str(), figure.value, figure.low, figure.high, escaped(figure.unit).c_str(),
+        figure.events, escaped(figure.kind).c_str(), escaped(figure.domain.quantity).c_str(), figure.domain.from,
+        figure.domain.to, escaped(figure.domain.unit).c_str(), escaped(joined(figure.recordings, ", ")).c_str());
+  return text + "</table></div>\n";
+}
+
+std::string list_of(const std::string& title, const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return "";
+  std::string text = "<h2>" + title + "</h2>\n<ul>\n";
+  for (const std::string& sentence : sentences) text += "<li>" + escaped(sentence) + "</li>\n";
+  return text + "</ul>\n";
+}
+
+}  // namespace
+
+std::string page_of(const Fits& fits) {
+  std::string body = "<h1>" + formatted("%zu figures fitted to recordings", fits.figures().size()) + "</h1>\n";
+  if (fits.ball_distance) body += part_of(*fits.ball_distance);
+  if (fits.rolling) body += part_of(*fits.rolling);
+  if (!fits.empty()) body += figures_table(fits);
+  body += list_of("Kept as it was", fits.kept) + list_of("Recordings left out", fits.left_out);
+  return sim::report::html_page("Fitted models", kStyle, body);
+}
+
+}  // namespace robot::app

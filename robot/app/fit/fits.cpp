@@ -1,0 +1,101 @@
+#include "robot/app/fit/fits.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robot/core/json_library.h"
+#include "robot/core/text.h"
+
+namespace robot::app {
+namespace {
+
+nlohmann::ordered_json json_of(const fit::Figure& figure) {
+  return {{"value", figure.value},
+          {"unit", figure.unit},
+          {"low", figure.low},
+          {"high", figure.high},
+          {"events", figure.events},
+          {"kind", figure.kind},
+          {"recordings", figure.recordings},
+          {"domain",
+           {{"quantity", figure.domain.quantity},
+            {"unit", figure.domain.unit},
+            {"from", figure.domain.from},
+            {"to", figure.domain.to}}}};
+}
+
+nlohmann::ordered_json json_of(const fit::HeldOut& errors) {
+  return {{"curve", errors.curve}, {"from", errors.from},     {"to", errors.to},   {"images", errors.images},
+          {"mean", errors.mean},   {"median", errors.median}, {"p95", errors.p95}, {"bias", errors.bias}};
+}
+
+/// Makes a fit if it is wanted. A refusal becomes a sentence.
+template <class Make>
+auto made(const std::string& name, const std::vector<std::string>& only, Make&& make, std::vector<std::string>& kept) {
+  using Made = std::optional<std::decay_t<decltype(*make())>>;
+  if (!only.empty() && std::ranges::find(only, name) == only.end()) return Made{};
+  auto fit = make();
+  if (fit) return Made{std::move(*fit)};
+  kept.push_back(name + ": " + fit.error());
+  return Made{};
+}
+
+}  // namespace
+
+const std::vector<std::string>& names_of_fits() {
+  static const std::vector<std::string> names{"ball_distance", "rolling"};
+  return names;
+}
+
+std::vector<fit::Figure> Fits::figures() const {
+  std::vector<fit::Figure> all;
+  if (ball_distance) all = ball_distance->figures;
+  if (rolling) all.push_back(rolling->deceleration);
+  return all;
+}
+
+std::vector<std::pair<std::string, fit::Table>> Fits::tables() const {
+  std::vector<std::pair<std::string, fit::Table>> all;
+  if (ball_distance) all.emplace_back("ball_distance", table_of(*ball_distance));
+  if (rolling) all.emplace_back("rolling", table_of(*rolling));
+  return all;
+}
+
+Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::string>& only) {
+  const std::vector<std::string>& names = names_of_fits();
+  for (const std::string& name : only)
+    if (std::ranges::find(names, name) == names.end())
+      return Error{"--only: expected " + joined(names, ", ") + ", got '" + printable(name, 40) + "'"};
+  Fits fits;
+  fits.left_out = evidence.left_out;
+  fits.ball_distance = made(
+      "ball_distance", only, [&] { return fit::fit_ball_distance(fit::read_ball_sizes(evidence)); }, fits.kept);
+  fits.rolling = made(
+      "rolling", only, [&] { return fit::fit_rolling(evidence); }, fits.kept);
+  if (fits.rolling) fits.kept.push_back(fits.rolling->kept);
+  return fits;
+}
+
+std::string to_text(const Fits& fits) {
+  std::string text;
+  if (fits.ball_distance) text += to_text(*fits.ball_distance) + '\n';
+  if (fits.rolling) text += to_text(*fits.rolling) + '\n';
+  for (const std::string& sentence : fits.kept) text += "kept      " + sentence + '\n';
+  for (const std::string& sentence : fits.left_out) text += "left out  " + sentence + '\n';
+  return text;
+}
+
+nlohmann::ordered_json to_json(const Fits& fits) {
+  nlohmann::ordered_json json{{"figures", nlohmann::ordered_json::object()}};
+  for (const fit::Figure& figure : fits.figures()) json["figures"][figure.name] = json_of(figure);
+  if (fits.ball_distance) {
+    auto& held_out = json["ball_distance"]["held_out"] = nlohmann::ordered_json::array();
+    for (const fit::HeldOut& errors : fits.ball_distance->held_out) held_out.push_back(json_of(errors));
+  }
+  if (fits.rolling) json["rolling"]["spread"] = fits.rolling->spread;
+  json["kept"] = fits.kept;
+  json["left_out"] = fits.left_out;
+  return json;
+}
+
+}  // namespace robot::app

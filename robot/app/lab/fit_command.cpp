@@ -1,0 +1,81 @@
+// foresight-lab fit: models of the simulator, fitted to recordings of a team's robots beside ground truth.
+#include <cstdio>
+
+#include "robot/app/clock_option.h"
+#include "robot/app/fit/fits.h"
+#include "robot/app/lab/commands.h"
+#include "robot/core/files.h"
+#include "robot/core/json_library.h"
+#include "robot/core/text.h"
+
+namespace robot::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FitCommand final : public Command {
+ public:
+  explicit FitCommand(CLI::App& app)
+      : Command(app.add_subcommand("fit", "fit models to recordings of robots beside ground truth")) {
+    options()
+        .add_option("sessions", sessions_, "folders of sessions, or .mcap files; with /truth/world or beside it")
+        ->required();
+    options().add_option("--truth", truths_, "recordings of ground truth of the same games");
+    options().add_option("--only", only_, "fit these alone: " + joined(names_of_fits(), ", "));
+    options()
+        .add_option("--models", base_, "models that keep what is not fitted: a name or a file")
+        ->capture_default_str();
+    options().add_option("--out", out_, "file for the fitted models, for foresight-sim --models");
+    options().add_option("--html", html_, "file for an HTML page");
+    options().add_option("--csv", csv_, "folder for the observations behind each fit, as CSV");
+    options().add_flag("--json", json_, "report as JSON");
+    add_clock_option(options(), max_clock_offset_);
+  }
+
+  int run() override {
+    const auto most_ns = clock_offset_ns(max_clock_offset_);
+    if (!most_ns) return fail(most_ns.error());
+    const auto evidence = fit::gather(sessions_, truths_, *most_ns);
+    if (!evidence) return fail(evidence.error());
+    const auto fits = fit_all(*evidence, only_);
+    if (!fits) return fail(fits.error());
+    if (const auto written = write(*fits); !written) return fail(written.error());
+    if (json_)
+      std::printf("%s\n", to_json(*fits).dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    else
+      std::fputs(to_text(*fits).c_str(), stdout);
+    return fits->empty() ? fail("fit: the recordings carry no model; nothing was written") : kDone;
+  }
+
+ private:
+  /// Writes the files that were asked for. Without a fit there is nothing to write.
+  Result<void> write(const Fits& fits) const {
+    if (fits.empty()) return {};
+    if (!out_.empty()) {
+      const auto models = fitted_models(fits, base_, out_.stem().string());
+      if (!models) return models.failure();
+      if (Result<void> written = replace_file(out_, *models); !written) return written;
+    }
+    if (!html_.empty())
+      if (Result<void> written = replace_file(html_, page_of(fits)); !written) return written;
+    if (csv_.empty()) return {};
+    std::error_code failed;
+    fs::create_directories(csv_, failed);
+    for (const auto& [name, table] : fits.tables())
+      if (Result<void> written = replace_file(csv_ / (name + ".csv"), to_csv(table)); !written) return written;
+    return {};
+  }
+
+  std::vector<fs::path> sessions_, truths_;
+  std::vector<std::string> only_;
+  std::string base_ = "match";
+  fs::path out_, html_, csv_;
+  double max_clock_offset_ = 60;  // [s]
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> fit_command(CLI::App& app) { return std::make_unique<FitCommand>(app); }
+
+}  // namespace robot::app

@@ -1,0 +1,236 @@
+#include "robot/fit/ball_distance/ball_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "robot/core/text.h"
+#include "robot/fit/text_plot.h"
+
+namespace robot::fit {
+namespace {
+
+constexpr std::size_t kFewestImages = 30, kFewestPasses = 5;
+constexpr double kLeastSpread = 1.5;  // the greatest distance is that many times the least
+constexpr std::size_t kPassSamples = 200, kCurvePoints = 40, kParts = 5;
+constexpr std::array kEdges{0.0, 0.5, 1.0, 2.0, 3.0, 4.5, 12.0};  // [m]
+constexpr std::array<const char*, 3> kNames{"ball_distance.scale", "ball_distance.offset", "ball_distance.height"};
+constexpr std::array<const char*, 3> kUnits{"m px", "px", "m"};
+
+std::vector<std::size_t> all_of(const std::vector<BallSize>& sizes) {
+  std::vector<std::size_t> all(sizes.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+Result<void> check(const BallSizes& seen, const std::vector<Group>& passes) {
+  if (seen.sizes.empty())
+    return Error{
+        formatted("no image shows a ball whose true distance is known (%zu without truth, %zu cut by the border, "
+                  "%zu damaged)",
+                  seen.without_truth, seen.cut, seen.damaged)};
+  if (seen.sizes.size() < kFewestImages || passes.size() < kFewestPasses)
+    return Error{formatted("expected at least %zu images with a ball in %zu passes, got %zu in %zu", kFewestImages,
+                           kFewestPasses, seen.sizes.size(), passes.size())};
+  const auto [nearest, farthest] = std::ranges::minmax_element(seen.sizes, {}, &BallSize::distance);
+  if (farthest->distance < kLeastSpread * nearest->distance)
+    return Error{formatted("all balls are %.2f to %.2f m away: expected distances that differ by a half or more",
+                           nearest->distance, farthest->distance)};
+  return {};
+}
+
+/// Returns the sizes with the distances of a recording that they have if its clock is off by one standard deviation.
+std::vector<BallSize> shifted(std::vector<BallSize> sizes, std::size_t recording, double seconds) {
+  for (BallSize& size : sizes)
+    if (size.recording == recording) size.distance = std::max(0., size.distance + seconds * size.rate);
+  return sizes;
+}
+
+/// Returns one standard deviation of each value that `values_of` makes from a fit: by the luck of passes, and by the clocks.
+Vector deviations(const BallSizes& seen, const std::vector<Vector>& samples, const Curve& fitted,
+                  const std::function<Vector(const Vector& parameters)>& values_of) {
+  std::vector<Vector> values;
+  for (const Vector& sample : samples) values.push_back(values_of(sample));
+  Vector deviations = deviations_of(values);
+  const Vector here = values_of(fitted.parameters);
+  for (std::size_t i = 0; i < seen.recordings.size(); ++i) {
+    if (seen.clock_deviation[i] <= 0) continue;
+    const auto moved = shifted(seen.sizes, i, seen.clock_deviation[i]);
+    const Vector there = values_of(fit_curve(CurveKind::pinhole, moved, all_of(moved)).parameters);
+    for (std::size_t k = 0; k < here.size(); ++k) deviations[k] = std::hypot(deviations[k], there[k] - here[k]);
+  }
+  return deviations;
+}
+
+HeldOut errors_between(const std::string& curve, double from, double to, const std::vector<BallSize>& sizes,
+                       const std::vector<double>& distances) {
+  HeldOut errors{.curve = curve, .from = from, .to = to};
+  std::vector<double> sorted;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (sizes[i].distance < from || sizes[i].distance >= to || !(distances[i] > 0)) continue;
+    const double error = distances[i] - sizes[i].distance;
+    errors.bias += error;
+    errors.mean += std::abs(error);
+    sorted.push_back(std::abs(error));
+  }
+  errors.images = sorted.size();
+  if (sorted.empty()) return errors;
+  std::ranges::sort(sorted);
+  errors.bias /= static_cast<double>(sorted.size());
+  errors.mean /= static_cast<double>(sorted.size());
+  errors.median = sorted[(sorted.size() - 1) / 2];
+  errors.p95 = sorted[(sorted.size() - 1) * 95 / 100];
+  return errors;
+}
+
+void add_errors(const std::string& curve, const std::vector<BallSize>& sizes, const std::vector<double>& distances,
+                std::vector<HeldOut>& into) {
+  into.push_back(errors_between(curve, 0, kEdges.back(), sizes, distances));
+  for (std::size_t i = 0; i + 1 < kEdges.size(); ++i)
+    if (const HeldOut bin = errors_between(curve, kEdges[i], kEdges[i + 1], sizes, distances); bin.images > 0)
+      into.push_back(bin);
+}
+
+/// Returns the part of each image: its recording if there are three or more, else a fifth of all passes.
+std::vector<std::size_t> parts_of(const BallSizes& seen, const std::vector<Group>& passes) {
+  std::vector<std::size_t> parts(seen.sizes.size());
+  const bool by_recording = seen.recordings.size() >= 3;
+  for (std::size_t k = 0; k < passes.size(); ++k)
+    for (const std::size_t i : passes[k])
+      parts[i] = by_recording ? seen.sizes[i].recording : k * kParts / passes.size();
+  return parts;
+}
+
+/// Returns the distances by curves that were fitted to the other parts.
+std::vector<double> held_out_distances(CurveKind kind, const std::vector<BallSize>& sizes,
+                                       const std::vector<std::size_t>& parts) {
+  std::vector<double> distances(sizes.size());
+  const std::size_t count = *std::ranges::max_element(parts) + 1;
+  for (std::size_t part = 0; part < count; ++part) {
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      if (parts[i] != part) others.push_back(i);
+    if (others.empty() || others.size() == sizes.size()) continue;
+    const Curve curve = fit_curve(kind, sizes, others);
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      if (parts[i] == part) distances[i] = curve.distance(sizes[i].radius);
+  }
+  return distances;
+}
+
+void judge(const std::vector<Group>& passes, BallDistance& fit) {
+  const std::vector<BallSize>& sizes = fit.seen.sizes;
+  const std::vector<std::size_t> parts = parts_of(fit.seen, passes);
+  fit.parts = fit.seen.recordings.size() >= 3 ? formatted("each of %zu recordings", fit.seen.recordings.size())
+                                              : formatted("each fifth of the passes");
+  for (const CurveKind kind : {CurveKind::pinhole, CurveKind::power_law, CurveKind::constant})
+    add_errors(std::string(name_of(kind)), sizes, held_out_distances(kind, sizes, parts), fit.held_out);
+  std::vector<double> believed;
+  for (const BallSize& size : sizes) believed.push_back(size.believed);
+  add_errors("the robot's own", sizes, believed, fit.held_out);
+}
+
+void draw_curve(const std::vector<Vector>& samples, std::size_t freedom, BallDistance& fit) {
+  for (std::size_t i = 0; i < kCurvePoints; ++i) {
+    const double share = static_cast<double>(i) / (kCurvePoints - 1);
+    fit.curve.push_back({.radius = fit.least_radius * std::pow(fit.most_radius / fit.least_radius, share)});
+  }
+  const auto distances = [&fit](const Vector& parameters) {
+    const Curve curve{.kind = CurveKind::pinhole, .parameters = parameters};
+    Vector there;
+    for (const CurvePoint& point : fit.curve) there.push_back(curve.distance(point.radius));
+    return there;
+  };
+  const Vector there = distances(fit.pinhole.parameters);
+  const Vector around = deviations(fit.seen, samples, fit.pinhole, distances);
+  for (std::size_t i = 0; i < fit.curve.size(); ++i) {
+    const double half = two_sided(freedom) * around[i];
+    fit.curve[i].distance = there[i];
+    fit.curve[i].low = std::max(0., there[i] - half);
+    fit.curve[i].high = there[i] + half;
+  }
+}
+
+std::string text_of(const HeldOut& errors) {
+  return formatted("%-16s %4.1f .. %4.1f m %7zu %7.1f %7.1f %7.1f %+7.1f\n", errors.curve.c_str(), errors.from,
+                   errors.to, errors.images, 100 * errors.mean, 100 * errors.median, 100 * errors.p95,
+                   100 * errors.bias);
+}
+
+}  // namespace
+
+std::optional<double> BallDistance::distance(double radius) const {
+  if (!(radius >= least_radius && radius <= most_radius)) return std::nullopt;
+  return pinhole.distance(radius);
+}
+
+Result<BallDistance> fit_ball_distance(BallSizes seen) {
+  const std::vector<Group> passes = passes_of(seen.sizes);
+  if (Result<void> good = check(seen, passes); !good) return good.failure();
+  BallDistance fit;
+  fit.seen = std::move(seen);
+  const std::vector<BallSize>& sizes = fit.seen.sizes;
+  const auto [smallest, largest] = std::ranges::minmax_element(sizes, {}, &BallSize::radius);
+  const auto [nearest, farthest] = std::ranges::minmax_element(sizes, {}, &BallSize::distance);
+  fit.least_radius = smallest->radius, fit.most_radius = largest->radius;
+  fit.pinhole = fit_curve(CurveKind::pinhole, sizes, all_of(sizes));
+  fit.power_law = fit_curve(CurveKind::power_law, sizes, all_of(sizes));
+
+  const std::vector<Vector> samples = resampled(passes, kPassSamples, [&](const std::vector<std::size_t>& chosen) {
+    return fit_curve(CurveKind::pinhole, sizes, chosen).parameters;
+  });
+  const auto same = [](const Vector& parameters) { return parameters; };
+  const Vector around = deviations(fit.seen, samples, fit.pinhole, same);
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    const double value = fit.pinhole.parameters[i], half = two_sided(passes.size() - 1) * around[i];
+    fit.figures.push_back(
+        {.name = kNames[i],
+         .unit = kUnits[i],
+         .value = value,
+         .low = value - half,
+         .high = value + half,
+         .events = passes.size(),
+         .kind = "passes",
+         .recordings = fit.seen.recordings,
+         .domain = {.quantity = "true distance", .unit = "m", .from = nearest->distance, .to = farthest->distance}});
+  }
+  draw_curve(samples, passes.size() - 1, fit);
+  judge(passes, fit);
+  return fit;
+}
+
+Table table_of(const BallDistance& fit) {
+  Table table{.columns = {"time [s]", "radius [px of 640]", "true distance [m]", "deviation of the truth [m]",
+                          "distance by vision [m]", "distance by the curve [m]"},
+              .names = fit.seen.recordings,
+              .rows = {}};
+  for (const BallSize& size : fit.seen.sizes)
+    table.rows.push_back({.recording = size.recording,
+                          .values = {size.at, size.radius, size.distance, size.deviation, size.believed,
+                                     fit.pinhole.distance(size.radius)}});
+  return table;
+}
+
+std::string to_text(const BallDistance& fit) {
+  const std::vector<BallSize>& sizes = fit.seen.sizes;
+  const auto farthest = std::ranges::max_element(sizes, {}, &BallSize::distance);
+  TextPlot plot({.left = 0, .right = fit.most_radius, .bottom = 0, .top = farthest->distance});
+  for (const BallSize& size : sizes) {
+    plot.dot('o', size.radius, size.believed);
+    plot.dot('.', size.radius, size.distance);
+  }
+  for (const CurvePoint& point : fit.curve) plot.dot('#', point.radius, point.distance);
+  std::string text = "distance of the ball [m] over its radius [px of 640]: . truth, o as vision had it, # fitted\n";
+  text += plot.text();
+  for (const Figure& figure : fit.figures) text += formatted("%-21s ", figure.name.c_str()) + to_text(figure) + "\n";
+  text += formatted("\nerrors [cm] on images held out, %s\n%-16s %14s %7s %7s %7s %7s %7s\n", fit.parts.c_str(),
+                    "curve", "true distance", "images", "mean", "median", "p95", "bias");
+  for (const HeldOut& errors : fit.held_out) text += text_of(errors);
+  return text + formatted("left out: %zu images without truth, %zu cut by the border, %zu damaged\n",
+                          fit.seen.without_truth, fit.seen.cut, fit.seen.damaged);
+}
+
+}  // namespace robot::fit

@@ -1,0 +1,36 @@
+// Curves from the ball's radius in the image to its distance.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "robot/fit/ball_distance/sizes.h"
+#include "robot/fit/math/least_squares.h"
+
+namespace robot::fit {
+
+enum class CurveKind {
+  constant,   // d = p0: what one says without looking
+  power_law,  // d = p0 r^p1, as the thesis of 2012 has it
+  pinhole,    // d = sqrt((p0 / (r - p1))² - p2²): a pinhole, p2 above the middle of the ball, with blurred edges
+};
+
+/// Names for tables: "constant", "power law", "pinhole".
+std::string_view name_of(CurveKind kind);
+
+struct Curve {
+  CurveKind kind = CurveKind::constant;
+  Vector parameters;  // [m, or m px; 1, or px; m]
+
+  /// Returns the distance [m] along the ground for a radius [px, see BallSize], 0 where the pinhole has none because the ball
+  /// would be nearer than below the camera.
+  double distance(double radius) const;
+};
+
+/// Fits a curve to some of the observations, which may repeat; at least one. The power law is the straight line through
+/// logarithms. The pinhole treats both errors as such: the residual of a radius is divided by its own deviation and that which
+/// the deviation of the true distance causes; single bad radii hardly count (Loss::cauchy).
+Curve fit_curve(CurveKind kind, const std::vector<BallSize>& sizes, const std::vector<std::size_t>& chosen);
+
+}  // namespace robot::fit

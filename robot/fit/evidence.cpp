@@ -1,0 +1,92 @@
+#include "robot/fit/evidence.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "robot/lab/clocks/session_times.h"
+
+namespace robot::fit {
+namespace {
+
+/// A recording of ground truth with its session, for the comparison of clocks.
+struct TruthSession {
+  logging::Session session;
+  std::shared_ptr<const TrueGame> game;
+};
+
+std::shared_ptr<const TrueGame> game_of(const logging::Session& session) {
+  lab::TruthRecord record = lab::read_truth(session);
+  if (record.empty()) return nullptr;
+  return std::make_shared<const TrueGame>(TrueGame{.name = session.id(), .record = std::move(record)});
+}
+
+bool overlap(const logging::Session& one, const logging::Session& other, std::uint64_t most_ns) {
+  return one.start_ns < other.end_ns + most_ns && other.start_ns < one.end_ns + most_ns;
+}
+
+/// Returns the robot beside a truth, or the reason why it cannot be placed there.
+Result<WatchedRobot> placed(const logging::Session& session, const std::shared_ptr<const TrueGame>& game,
+                            const lab::JudgedRobot& robot) {
+  if (!robot.offset) return Error{"its clock's offset to " + game->name + " is not known: " + robot.offset.error()};
+  auto own = lab::own_path(game->record, robot);
+  if (!own) return Error{"it is not found in " + game->name + ": " + own.error()};
+  return WatchedRobot{.session = session, .game = game, .path = std::move(own->path), .clock = robot.offset->clock};
+}
+
+/// Places a robot in the truth of its own recording.
+Result<WatchedRobot> in_own_truth(const logging::Session& session, const std::shared_ptr<const TrueGame>& game,
+                                  lab::RobotRecord record) {
+  return placed(session, game, {.session = 0, .record = std::move(record), .offset = lab::TruthOffset{}});
+}
+
+Result<WatchedRobot> in_truth_of(const logging::Session& session, const TruthSession& truth, std::uint64_t most_ns) {
+  const auto times = lab::session_times({truth.session, session}, most_ns);
+  if (!times) return times.failure();
+  if (times->robots.empty()) return Error{"it recorded neither the ball nor its pose"};
+  return placed(session, truth.game, times->robots.front());
+}
+
+Result<WatchedRobot> in_any_truth(const logging::Session& session, const std::vector<TruthSession>& truths,
+                                  std::uint64_t most_ns) {
+  std::string reason = "no ground truth is of its time";
+  for (const TruthSession& truth : truths) {
+    if (!overlap(session, truth.session, most_ns)) continue;
+    auto robot = in_truth_of(session, truth, most_ns);
+    if (robot) return robot;
+    reason = robot.error();
+  }
+  return Error{reason};
+}
+
+}  // namespace
+
+Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
+                        const std::vector<std::filesystem::path>& truths, std::uint64_t most_ns) {
+  Evidence evidence;
+  std::vector<TruthSession> known;
+  for (const std::filesystem::path& path : truths) {
+    auto session = logging::open_session(path);
+    if (!session) return session.failure();
+    auto game = game_of(*session);
+    if (!game) return Error{session->id() + ": expected a recording with /truth/world that shows the ball, got none"};
+    evidence.games.push_back(game);
+    known.push_back({.session = std::move(*session), .game = std::move(game)});
+  }
+  for (const std::filesystem::path& path : robots) {
+    const auto session = logging::open_session(path);
+    if (!session) return session.failure();
+    const auto own = game_of(*session);
+    if (own) evidence.games.push_back(own);
+    lab::RobotRecord record = lab::read_robot(*session, own ? own->record.epoch_ns : session->start_ns);
+    if (own && record.empty()) continue;  // the truth alone
+    auto robot = own ? in_own_truth(*session, own, std::move(record)) : in_any_truth(*session, known, most_ns);
+    if (robot)
+      evidence.robots.push_back(std::move(*robot));
+    else
+      evidence.left_out.push_back(session->id() + ": " + robot.error());
+  }
+  return evidence;
+}
+
+}  // namespace robot::fit

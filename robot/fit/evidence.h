@@ -1,0 +1,43 @@
+// Recordings of robots beside the ground truth of the same games.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/core/result.h"
+#include "robot/lab/clocks/data_offset.h"
+#include "robot/lab/clocks/truth_record.h"
+#include "robot/logging/sessions/session.h"
+
+namespace robot::fit {
+
+/// One recording of ground truth.
+struct TrueGame {
+  std::string name;  // of its session
+  lab::TruthRecord record;
+};
+
+/// One robot's recording, and its place in the truth.
+struct WatchedRobot {
+  logging::Session session;
+  std::shared_ptr<const TrueGame> game;
+  lab::Path path;         // of this robot in the truth
+  lab::DataOffset clock;  // of its clock to that of the truth; exact if both are in one recording
+};
+
+struct Evidence {
+  std::vector<std::shared_ptr<const TrueGame>> games;
+  std::vector<WatchedRobot> robots;
+  std::vector<std::string> left_out;  // one sentence for each recording that cannot be used
+};
+
+/// Reads recordings of robots and of ground truth, and finds for each robot the truth of its game: in its own recording, else
+/// the one whose times overlap and whose clock can be compared. A robot without one is left out with the reason. Returns an
+/// Error if a recording cannot be read, or if `truths` names one without /truth/world. Clocks may differ by at most `most_ns`.
+Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
+                        const std::vector<std::filesystem::path>& truths, std::uint64_t most_ns);
+
+}  // namespace robot::fit
