@@ -15,10 +15,15 @@ struct TruthSession {
   std::shared_ptr<const TrueGame> game;
 };
 
-std::shared_ptr<const TrueGame> game_of(const logging::Session& session) {
+/// Returns the name of a session: that of its folder or of its file.
+std::string name_of(const logging::Session& session, const std::filesystem::path& path) {
+  return session.id().empty() ? path.stem().string() : session.id();
+}
+
+std::shared_ptr<const TrueGame> game_of(const logging::Session& session, const std::string& name) {
   lab::TruthRecord record = lab::read_truth(session);
   if (record.empty()) return nullptr;
-  return std::make_shared<const TrueGame>(TrueGame{.name = session.id(), .record = std::move(record)});
+  return std::make_shared<const TrueGame>(TrueGame{.name = name, .record = std::move(record)});
 }
 
 bool overlap(const logging::Session& one, const logging::Session& other, std::uint64_t most_ns) {
@@ -31,7 +36,8 @@ Result<WatchedRobot> placed(const logging::Session& session, const std::shared_p
   if (!robot.offset) return Error{"its clock's offset to " + game->name + " is not known: " + robot.offset.error()};
   auto own = lab::own_path(game->record, robot);
   if (!own) return Error{"it is not found in " + game->name + ": " + own.error()};
-  return WatchedRobot{.session = session, .game = game, .path = std::move(own->path), .clock = robot.offset->clock};
+  return WatchedRobot{
+      .name = "", .session = session, .game = game, .path = std::move(own->path), .clock = robot.offset->clock};
 }
 
 /// Places a robot in the truth of its own recording.
@@ -68,23 +74,27 @@ Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
   for (const std::filesystem::path& path : truths) {
     auto session = logging::open_session(path);
     if (!session) return session.failure();
-    auto game = game_of(*session);
-    if (!game) return Error{session->id() + ": expected a recording with /truth/world that shows the ball, got none"};
+    auto game = game_of(*session, name_of(*session, path));
+    if (!game)
+      return Error{name_of(*session, path) + ": expected a recording with /truth/world that shows the ball, got none"};
     evidence.games.push_back(game);
     known.push_back({.session = std::move(*session), .game = std::move(game)});
   }
   for (const std::filesystem::path& path : robots) {
     const auto session = logging::open_session(path);
     if (!session) return session.failure();
-    const auto own = game_of(*session);
+    const std::string name = name_of(*session, path);
+    const auto own = game_of(*session, name);
     if (own) evidence.games.push_back(own);
     lab::RobotRecord record = lab::read_robot(*session, own ? own->record.epoch_ns : session->start_ns);
     if (own && record.empty()) continue;  // the truth alone
     auto robot = own ? in_own_truth(*session, own, std::move(record)) : in_any_truth(*session, known, most_ns);
-    if (robot)
-      evidence.robots.push_back(std::move(*robot));
-    else
-      evidence.left_out.push_back(session->id() + ": " + robot.error());
+    if (!robot) {
+      evidence.left_out.push_back(name + ": " + robot.error());
+      continue;
+    }
+    robot->name = name;
+    evidence.robots.push_back(std::move(*robot));
   }
   return evidence;
 }

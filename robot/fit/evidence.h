@@ -22,6 +22,7 @@ struct TrueGame {
 
 /// One robot's recording, and its place in the truth.
 struct WatchedRobot {
+  std::string name;  // of its session
   logging::Session session;
   std::shared_ptr<const TrueGame> game;
   lab::Path path;         // of this robot in the truth

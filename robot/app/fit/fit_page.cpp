@@ -27,8 +27,8 @@ svg { display: block; width: 100%; height: auto; }
 .key { display: inline-block; width: 11px; height: 11px; border-radius: 6px; margin: 0 5px 0 12px; background: currentColor; }
 .key.line { height: 2px; width: 20px; vertical-align: middle; border-radius: 0; } .key.power { background: var(--other); }
 .wide { overflow-x: auto; margin-top: 14px; } td, th { text-align: right; padding: 4px 0 4px 16px; white-space: nowrap; }
-td:first-child, th:first-child { text-align: left; padding-left: 0; } td.text, th.text { text-align: left; white-space: normal; }
-tr.best td { font-weight: 600; } ul { padding-left: 20px; margin: 6px 0; }
+td:first-child, th:first-child { text-align: left; padding-left: 0; }
+ul { padding-left: 20px; margin: 6px 0; }
 )";
 
 using Points = std::vector<std::pair<double, double>>;
@@ -88,16 +88,17 @@ std::string truth_plot(const fit::BallDistance& fit) {
 }
 
 std::string held_out_table(const fit::BallDistance& fit) {
-  std::string text =
-      "<div class=\"card wide\"><table>\n<tr><th>curve</th><th>true distance [m]</th><th>images</th><th>mean "
-      "[cm]</th><th>median</th><th>95 %</th><th>bias</th></tr>\n";
-  for (const fit::HeldOut& errors : fit.held_out) {
-    const bool is_whole = &errors == &fit.held_out.front() || (&errors - 1)->curve != errors.curve;
-    text += formatted(
-        "<tr%s><td>%s</td><td>%s</td><td>%zu</td><td>%.1f</td><td>%.1f</td><td>%.1f</td><td>%+.1f</td></tr>\n",
-        is_whole ? " class=\"best\"" : "", escaped(errors.curve).c_str(),
-        is_whole ? "all" : formatted("%.1f .. %.1f", errors.from, errors.to).c_str(), errors.images, 100 * errors.mean,
-        100 * errors.median, 100 * errors.p95, 100 * errors.bias);
+  const auto curves = fit::by_curve(fit.held_out);
+  std::string text = "<div class=\"card wide\"><table>\n<tr><th>mean error [cm] at</th>";
+  for (const fit::HeldOut& bin : curves.front()) text += "<th>" + range_of(bin) + (bin.is_whole ? "" : " m") + "</th>";
+  text += "<th>median</th><th>95 %</th><th>bias</th></tr>\n";
+  for (const std::vector<fit::HeldOut>& bins : curves) {
+    const fit::HeldOut& all = bins.front();
+    text += "<tr><td>" + escaped(all.curve) + "</td>";
+    for (const fit::HeldOut& bin : bins)
+      text += formatted("<td title=\"%zu images\">%.1f</td>", bin.images, 100 * bin.mean);
+    text +=
+        formatted("<td>%.1f</td><td>%.1f</td><td>%+.1f</td></tr>\n", 100 * all.median, 100 * all.p95, 100 * all.bias);
   }
   return text + "</table></div>\n";
 }
@@ -143,15 +144,34 @@ std::string part_of(const fit::Rolling& fit) {
 std::string figures_table(const Fits& fits) {
   std::string text =
       "<h2>All figures</h2>\n<div class=\"card wide\"><table>\n<tr><th>figure</th><th>value</th><th>95 "
-      "%</th><th>unit</th><th>events</th><th class=\"text\">valid for</th><th class=\"text\">from</th></tr>\n";
+      "%</th><th>unit</th><th>events</th><th>recordings</th><th>valid for</th></tr>\n";
   for (const fit::Figure& figure : fits.figures())
     text += formatted(
-        "<tr><td>%s</td><td>%.4g</td><td>%.4g .. %.4g</td><td>%s</td><td>%zu %s</td><td class=\"text\">%s %.2f "
-        ".. %.2f %s</td><td class=\"text\">%s</td></tr>\n",
+        "<tr><td>%s</td><td>%.4g</td><td>%.4g .. %.4g</td><td>%s</td><td>%zu %s</td><td title=\"%s\">%zu</td>"
+        "<td>%s %.2f .. %.2f %s</td></tr>\n",
         escaped(figure.name).c_str(), figure.value, figure.low, figure.high, escaped(figure.unit).c_str(),
-        figure.events, escaped(figure.kind).c_str(), escaped(figure.domain.quantity).c_str(), figure.domain.from,
-        figure.domain.to, escaped(figure.domain.unit).c_str(), escaped(joined(figure.recordings, ", ")).c_str());
+        figure.events, escaped(figure.kind).c_str(), escaped(joined(figure.recordings, ", ")).c_str(),
+        figure.recordings.size(), escaped(figure.domain.quantity).c_str(), figure.domain.from, figure.domain.to,
+        escaped(figure.domain.unit).c_str());
   return text + "</table></div>\n";
+}
+
+/// Returns the names of all recordings behind the figures, each once.
+std::vector<std::string> recordings_of(const Fits& fits) {
+  std::vector<std::string> names;
+  for (const fit::Figure& figure : fits.figures())
+    for (const std::string& name : figure.recordings)
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  return names;
+}
+
+/// Returns the title: what was fitted.
+std::string headline_of(const Fits& fits) {
+  std::vector<std::string> parts;
+  if (fits.ball_distance) parts.emplace_back("the ball's distance from its size");
+  if (fits.rolling) parts.emplace_back("how the turf slows the ball");
+  if (parts.empty()) return "The recordings carry no model";
+  return "Fitted: " + joined(parts, ", and ");
 }
 
 std::string list_of(const std::string& title, const std::vector<std::string>& sentences) {
@@ -164,11 +184,12 @@ std::string list_of(const std::string& title, const std::vector<std::string>& se
 }  // namespace
 
 std::string page_of(const Fits& fits) {
-  std::string body = "<h1>" + formatted("%zu figures fitted to recordings", fits.figures().size()) + "</h1>\n";
+  std::string body = "<h1>" + headline_of(fits) + "</h1>\n";
   if (fits.ball_distance) body += part_of(*fits.ball_distance);
   if (fits.rolling) body += part_of(*fits.rolling);
   if (!fits.empty()) body += figures_table(fits);
-  body += list_of("Kept as it was", fits.kept) + list_of("Recordings left out", fits.left_out);
+  body += list_of("Kept as it was", fits.kept) + list_of("Recordings left out", fits.left_out) +
+          list_of("Recordings", recordings_of(fits));
   return sim::report::html_page("Fitted models", kStyle, body);
 }
 

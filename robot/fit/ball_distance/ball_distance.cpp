@@ -70,7 +70,7 @@ HeldOut errors_between(const std::string& curve, double from, double to, const s
   HeldOut errors{.curve = curve, .from = from, .to = to};
   std::vector<double> sorted;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    if (sizes[i].distance < from || sizes[i].distance >= to || !(distances[i] > 0)) continue;
+    if (sizes[i].distance < from || sizes[i].distance >= to) continue;
     const double error = distances[i] - sizes[i].distance;
     errors.bias += error;
     errors.mean += std::abs(error);
@@ -89,15 +89,16 @@ HeldOut errors_between(const std::string& curve, double from, double to, const s
 void add_errors(const std::string& curve, const std::vector<BallSize>& sizes, const std::vector<double>& distances,
                 std::vector<HeldOut>& into) {
   into.push_back(errors_between(curve, 0, kEdges.back(), sizes, distances));
+  into.back().is_whole = true;
   for (std::size_t i = 0; i + 1 < kEdges.size(); ++i)
     if (const HeldOut bin = errors_between(curve, kEdges[i], kEdges[i + 1], sizes, distances); bin.images > 0)
       into.push_back(bin);
 }
 
-/// Returns the part of each image: its recording if there are three or more, else a fifth of all passes.
+/// Returns the part of each image: its recording if there are several, else a fifth of all passes.
 std::vector<std::size_t> parts_of(const BallSizes& seen, const std::vector<Group>& passes) {
   std::vector<std::size_t> parts(seen.sizes.size());
-  const bool by_recording = seen.recordings.size() >= 3;
+  const bool by_recording = seen.recordings.size() >= 2;
   for (std::size_t k = 0; k < passes.size(); ++k)
     for (const std::size_t i : passes[k])
       parts[i] = by_recording ? seen.sizes[i].recording : k * kParts / passes.size();
@@ -124,7 +125,7 @@ std::vector<double> held_out_distances(CurveKind kind, const std::vector<BallSiz
 void judge(const std::vector<Group>& passes, BallDistance& fit) {
   const std::vector<BallSize>& sizes = fit.seen.sizes;
   const std::vector<std::size_t> parts = parts_of(fit.seen, passes);
-  fit.parts = fit.seen.recordings.size() >= 3 ? formatted("each of %zu recordings", fit.seen.recordings.size())
+  fit.parts = fit.seen.recordings.size() >= 2 ? formatted("each of %zu recordings", fit.seen.recordings.size())
                                               : formatted("each fifth of the passes");
   for (const CurveKind kind : {CurveKind::pinhole, CurveKind::power_law, CurveKind::constant})
     add_errors(std::string(name_of(kind)), sizes, held_out_distances(kind, sizes, parts), fit.held_out);
@@ -154,10 +155,12 @@ void draw_curve(const std::vector<Vector>& samples, std::size_t freedom, BallDis
   }
 }
 
-std::string text_of(const HeldOut& errors) {
-  return formatted("%-16s %4.1f .. %4.1f m %7zu %7.1f %7.1f %7.1f %+7.1f\n", errors.curve.c_str(), errors.from,
-                   errors.to, errors.images, 100 * errors.mean, 100 * errors.median, 100 * errors.p95,
-                   100 * errors.bias);
+/// Formats the mean errors of one curve [cm], one column for each bin, and more of all distances.
+std::string line_of(const std::vector<HeldOut>& bins) {
+  const HeldOut& all = bins.front();
+  std::string text = formatted("%-16s", all.curve.c_str());
+  for (const HeldOut& bin : bins) text += formatted(" %10.1f", 100 * bin.mean);
+  return text + formatted(" %8.1f %6.1f %+6.1f\n", 100 * all.median, 100 * all.p95, 100 * all.bias);
 }
 
 }  // namespace
@@ -202,6 +205,19 @@ Result<BallDistance> fit_ball_distance(BallSizes seen) {
   return fit;
 }
 
+std::vector<std::vector<HeldOut>> by_curve(const std::vector<HeldOut>& held_out) {
+  std::vector<std::vector<HeldOut>> curves;
+  for (const HeldOut& errors : held_out) {
+    if (curves.empty() || curves.back().front().curve != errors.curve) curves.emplace_back();
+    curves.back().push_back(errors);
+  }
+  return curves;
+}
+
+std::string range_of(const HeldOut& errors) {
+  return errors.is_whole ? "all" : formatted("%.1f-%.1f", errors.from, errors.to);
+}
+
 Table table_of(const BallDistance& fit) {
   Table table{.columns = {"time [s]", "radius [px of 640]", "true distance [m]", "deviation of the truth [m]",
                           "distance by vision [m]", "distance by the curve [m]"},
@@ -226,9 +242,11 @@ std::string to_text(const BallDistance& fit) {
   std::string text = "distance of the ball [m] over its radius [px of 640]: . truth, o as vision had it, # fitted\n";
   text += plot.text();
   for (const Figure& figure : fit.figures) text += formatted("%-21s ", figure.name.c_str()) + to_text(figure) + "\n";
-  text += formatted("\nerrors [cm] on images held out, %s\n%-16s %14s %7s %7s %7s %7s %7s\n", fit.parts.c_str(),
-                    "curve", "true distance", "images", "mean", "median", "p95", "bias");
-  for (const HeldOut& errors : fit.held_out) text += text_of(errors);
+  text += "\nmean errors [cm] by true distance [m], on images held out: " + fit.parts + "\n" + std::string(16, ' ');
+  const auto curves = by_curve(fit.held_out);
+  for (const HeldOut& bin : curves.front()) text += formatted(" %10s", range_of(bin).c_str());
+  text += formatted(" %8s %6s %6s\n", "median", "95 %", "bias");
+  for (const std::vector<HeldOut>& bins : curves) text += line_of(bins);
   return text + formatted("left out: %zu images without truth, %zu cut by the border, %zu damaged\n",
                           fit.seen.without_truth, fit.seen.cut, fit.seen.damaged);
 }

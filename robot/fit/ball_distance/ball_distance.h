@@ -15,6 +15,7 @@ namespace robot::fit {
 struct HeldOut {
   std::string curve;        // "pinhole", or "the robot's own"
   double from = 0, to = 0;  // [m] true distance
+  bool is_whole = false;    // all distances
   std::size_t images = 0;
   double mean = 0, median = 0, p95 = 0;  // [m] of the absolute error
   double bias = 0;                       // [m] mean error, > 0: too far
@@ -42,6 +43,11 @@ struct BallDistance {
 /// Fits the curves. The interval of a figure covers the luck of whole passes and the error of each recording's clock. Returns an
 /// Error with the reason if the images cannot carry a fit: too few images or passes, or distances that are too alike.
 Result<BallDistance> fit_ball_distance(BallSizes seen);
+
+/// Returns the errors of each curve: all distances first, then the same bins.
+std::vector<std::vector<HeldOut>> by_curve(const std::vector<HeldOut>& held_out);
+/// Formats the range of true distances [m]: "0.5-1.0", or "all".
+std::string range_of(const HeldOut& errors);
 
 /// Returns the images with the radius, the true distance, that of the robot's vision and that of the curve.
 Table table_of(const BallDistance& fit);

@@ -75,8 +75,10 @@ void read_robot(const WatchedRobot& robot, std::size_t recording, BallSizes& fou
 BallSizes read_ball_sizes(const Evidence& evidence) {
   BallSizes found;
   for (const WatchedRobot& robot : evidence.robots) {
+    const std::size_t before = found.sizes.size();
     read_robot(robot, found.recordings.size(), found);
-    found.recordings.push_back(robot.session.id());
+    if (found.sizes.size() == before) continue;
+    found.recordings.push_back(robot.name);
     found.clock_deviation.push_back(robot.clock.deviation);
   }
   std::ranges::stable_sort(found.sizes, [](const BallSize& one, const BallSize& other) {

@@ -27,7 +27,7 @@ struct BallSize {
 
 struct BallSizes {
   std::vector<BallSize> sizes;          // ordered by recording and time
-  std::vector<std::string> recordings;  // names, by index
+  std::vector<std::string> recordings;  // names of those with an image, by index
   std::vector<double> clock_deviation;  // [s] of each recording
   std::size_t without_truth = 0;        // images with a ball that the truth did not see
   std::size_t cut = 0;                  // images whose border cuts the ball

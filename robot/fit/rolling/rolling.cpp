@@ -76,6 +76,7 @@ Result<Rolling> fit_rolling(const Evidence& evidence) {
   double deviation = 0;
   for (const auto& game : evidence.games) {
     const std::vector<Roll> rolls = rolls_in(game->record, fit.recordings.size());
+    if (rolls.empty()) continue;
     fit.rolls.insert(fit.rolls.end(), rolls.begin(), rolls.end());
     fit.recordings.push_back(game->name);
     deviation = std::max(deviation, game->record.ball_deviation);

@@ -13,7 +13,7 @@ namespace robot::fit {
 
 struct Rolling {
   std::vector<Roll> rolls;
-  std::vector<std::string> recordings;  // names, by index
+  std::vector<std::string> recordings;  // names of those with a roll, by index
   Figure deceleration;                  // ball.deceleration [m/s²]
   double spread = 0;                    // [m/s²] standard deviation between rolls, beyond the error of each
   std::string kept;                     // the reason why ball.stop_speed stays as it is

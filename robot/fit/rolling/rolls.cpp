@@ -11,21 +11,47 @@ namespace {
 
 constexpr double kReach = 0.35;       // [m] a robot's radius, a ball's, and the error of both
 constexpr double kLeastSpeed = 0.25;  // [m/s] below, the ball may stop within the roll
-constexpr double kTurn = 0.985;       // cosine of 10°
+constexpr double kTurn = 0.175;       // [rad] 10°: it met something
 constexpr double kFaster = 0.15;      // [m/s] more than the least speed so far: it was pushed
+constexpr double kDoubt = 3;          // standard deviations of a velocity that are added to both
 constexpr double kShortest = 0.5;     // [s]
-constexpr double kEnd = 0.1;          // [s] left out at both ends, where the smooth curve knows of the touch
+constexpr double kWindow = 0.2;       // [s] to either side, over which a velocity is measured
 constexpr double kBent = 0.2;         // [m/s²] across the way, beyond five deviations
-constexpr std::size_t kFewestPlaces = 10;
+constexpr std::size_t kFewestInWindow = 4, kFewestPlaces = 10;
 constexpr double kLeastScatter = 0.0005;  // [m] of places: what a message's numbers are worth
 
 /// The ball at one of the truth's moments.
 struct Moment {
   double at, x, y;
   double speed_x, speed_y;
+  double deviation;  // [m/s] of either speed
 
   double speed() const { return std::hypot(speed_x, speed_y); }
 };
+
+/// Returns the moment of a place: the velocity is the slope of straight lines through the places around it. Nothing if they are
+/// too few, or on one side only.
+std::optional<Moment> moment_at(const lab::Path& path, std::size_t index, double deviation) {
+  const double at = path[index].at;
+  std::size_t first = index, last = index;
+  while (first > 0 && path[first - 1].at >= at - kWindow) --first;
+  while (last + 1 < path.size() && path[last + 1].at <= at + kWindow) ++last;
+  const auto count = static_cast<double>(last - first + 1);
+  if (last - first + 1 < kFewestInWindow || first == index || last == index) return std::nullopt;
+  double t = 0, x = 0, y = 0;
+  for (std::size_t i = first; i <= last; ++i) t += path[i].at - at, x += path[i].x, y += path[i].y;
+  double tt = 0, tx = 0, ty = 0;
+  for (std::size_t i = first; i <= last; ++i) {
+    const double from = path[i].at - at - t / count;
+    tt += from * from, tx += from * (path[i].x - x / count), ty += from * (path[i].y - y / count);
+  }
+  return Moment{.at = at,
+                .x = path[index].x,
+                .y = path[index].y,
+                .speed_x = tx / tt,
+                .speed_y = ty / tt,
+                .deviation = deviation / std::sqrt(tt)};
+}
 
 bool is_touched(const lab::TruthRecord& truth, const lab::PlaceAt& ball) {
   return std::ranges::any_of(truth.robots, [&](const lab::TrueRobotPath& robot) {
@@ -72,7 +98,8 @@ std::optional<Parabola> parabola_through(const std::vector<Moment>& moments, dou
 /// Returns the roll through these moments, or nothing if they are too few or no roll.
 std::optional<Roll> roll_of(std::vector<Moment> moments, double deviation, std::size_t recording) {
   if (moments.empty()) return std::nullopt;
-  const double begin = moments.front().at + kEnd, end = moments.back().at - kEnd;
+  // a velocity at either end may be that of a touch
+  const double begin = moments.front().at + kWindow, end = moments.back().at - kWindow;
   std::erase_if(moments, [&](const Moment& moment) { return moment.at < begin || moment.at > end; });
   if (moments.size() < kFewestPlaces || end - begin < kShortest) return std::nullopt;
   const double middle = (begin + end) / 2;
@@ -118,9 +145,11 @@ class RollFinder {
  private:
   bool continues(const Moment& moment) const {
     const Moment& first = moments_.front();
-    const double cosine = (first.speed_x * moment.speed_x + first.speed_y * moment.speed_y) /
-                          std::max(1e-9, first.speed() * moment.speed());
-    return cosine > kTurn && moment.speed() < least_ + kFaster &&
+    const double across = first.speed_x * moment.speed_y - first.speed_y * moment.speed_x;
+    const double along = first.speed_x * moment.speed_x + first.speed_y * moment.speed_y;
+    const double turn = kTurn + kDoubt * moment.deviation / moment.speed();
+    return std::abs(std::atan2(across, along)) < turn &&
+           moment.speed() < least_ + kFaster + kDoubt * moment.deviation &&
            moment.at - moments_.back().at <= lab::SmoothCurve::kLongestGap;
   }
 
@@ -134,14 +163,11 @@ class RollFinder {
 }  // namespace
 
 std::vector<Roll> rolls_in(const lab::TruthRecord& truth, std::size_t recording) {
-  const lab::SmoothCurve x = lab::curve_of(truth.ball, &lab::PlaceAt::x),
-                         y = lab::curve_of(truth.ball, &lab::PlaceAt::y);
   RollFinder finder(truth, recording);
-  for (const lab::PlaceAt& ball : truth.ball) {
-    const auto speed_x = x.rate_at(ball.at), speed_y = y.rate_at(ball.at);
-    const bool rolls = speed_x && speed_y && std::hypot(*speed_x, *speed_y) >= kLeastSpeed && !is_touched(truth, ball);
-    if (rolls)
-      finder.add({.at = ball.at, .x = ball.x, .y = ball.y, .speed_x = *speed_x, .speed_y = *speed_y});
+  for (std::size_t i = 0; i < truth.ball.size(); ++i) {
+    const auto moment = moment_at(truth.ball, i, truth.ball_deviation);
+    if (moment && moment->speed() >= kLeastSpeed && !is_touched(truth, truth.ball[i]))
+      finder.add(*moment);
     else
       finder.end();
   }
