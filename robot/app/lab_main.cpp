@@ -17,6 +17,7 @@ int lab_main(int argc, char** argv) {
   commands.push_back(truth_command(app));
   commands.push_back(calibrate_command(app));
   commands.push_back(fit_command(app));
+  commands.push_back(plan_fit_command(app));
   commands.push_back(smooth_command(app));
   commands.push_back(what_if_command(app));
   commands.push_back(situation_command(app));

@@ -17,7 +17,7 @@ struct TruthSession {
 
 /// Returns the name of a session: that of its folder or of its file.
 std::string name_of(const logging::Session& session, const std::filesystem::path& path) {
-  return session.id().empty() ? path.stem().string() : session.id();
+  return path.extension() == ".mcap" ? path.stem().string() : session.id();
 }
 
 std::shared_ptr<const TrueGame> game_of(const logging::Session& session, const std::string& name) {

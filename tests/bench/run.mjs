@@ -7,6 +7,7 @@ import { door } from "./door.mjs";
 import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
 import { faults } from "./faults.mjs";
+import { fit } from "./fit.mjs";
 import { foresight } from "./foresight.mjs";
 import { half } from "./half.mjs";
 import { interference } from "./interference.mjs";
@@ -53,6 +54,7 @@ const benches = {
   debugger: debuggerTimes,
   mcap,
   truth,
+  fit,
 };
 
 const [name, ...words] = process.argv.slice(2);

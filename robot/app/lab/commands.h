@@ -18,6 +18,7 @@ std::unique_ptr<Command> fit_command(CLI::App& app);
 std::unique_ptr<Command> game_statistics_command(CLI::App& app);
 std::unique_ptr<Command> import_command(CLI::App& app);
 std::unique_ptr<Command> info_command(CLI::App& app);
+std::unique_ptr<Command> plan_fit_command(CLI::App& app);
 std::unique_ptr<Command> play_command(CLI::App& app);
 std::unique_ptr<Command> relay_command(CLI::App& app);
 std::unique_ptr<Command> redecide_command(CLI::App& app);

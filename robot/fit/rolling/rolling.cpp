@@ -112,7 +112,7 @@ std::string to_text(const Rolling& fit) {
   for (const Roll& roll : fit.rolls) plot.dot('.', roll.speed, roll.deceleration);
   return "deceleration of the ball [m/s²] over its speed [m/s]: . a free roll, # fitted\n" + plot.text() +
          formatted("%-21s ", figure.name.c_str()) + to_text(figure) +
-         formatted("\nspread between rolls  %.3f m/s²\n%s\n", fit.spread, fit.kept.c_str());
+         formatted("\nspread between rolls  %.3f m/s²\n", fit.spread);
 }
 
 }  // namespace robot::fit

@@ -1,0 +1,25 @@
+// How exact are models that were fitted to recordings, and how honest are their intervals?
+import { cases } from "./programs.mjs";
+import { Report } from "./report.mjs";
+
+const kRanges = { in_range_cm: "0.5 to 3 m", near_cm: "0.15 to 0.5 m", far_cm: "3 to 4.5 m" };
+
+export async function fit({ choices = 100 }) {
+  const report = new Report("fit", "are fitted models exact, and their intervals honest?");
+  const [study, ...planted] = await cases("bench_fit", [choices]);
+  for (const [range, about] of Object.entries(kRanges)) {
+    const law = study.power_law[range];
+    report.figure(`ball distance, ${about}: pinhole, mean error`, study.pinhole[range], "cm", { atMost: law });
+    report.figure(`ball distance, ${about}: power law, mean error`, law, "cm");
+    report.figure(`ball distance, ${about}: constant, mean error`, study.constant[range], "cm");
+  }
+  report.figure("460 images: fit, intervals and held-out errors", study.seconds, "s", { atMost: 2 });
+  for (const { figure, repetitions, coverage, half_width, bias_share } of planted) {
+    report.figure(`${figure}: interval covers the planted value`, 100 * coverage, `% of ${repetitions}`, {
+      between: [90, 99],
+    });
+    report.figure(`${figure}: bias, share of the interval`, bias_share, "", { atMost: 1 / 3 });
+    report.figure(`${figure}: half the interval`, half_width);
+  }
+  return report.finish();
+}
