@@ -140,7 +140,7 @@ void draw_curve(const std::vector<Vector>& samples, std::size_t freedom, BallDis
     fit.curve.push_back({.radius = fit.least_radius * std::pow(fit.most_radius / fit.least_radius, share)});
   }
   const auto distances = [&fit](const Vector& parameters) {
-    const Curve curve{.kind = CurveKind::pinhole, .parameters = parameters};
+    const Curve curve{.kind = CurveKind::pinhole, .parameters = parameters, .noise = fit.pinhole.noise};
     Vector there;
     for (const CurvePoint& point : fit.curve) there.push_back(curve.distance(point.radius));
     return there;

@@ -9,17 +9,12 @@
 namespace robot::fit {
 namespace {
 
-constexpr int kRounds = 4;  // of fits with new deviations of the radius
+constexpr double kMostCorrection = 0.1;  // of the distance: where it is more, the series is none
+constexpr int kRounds = 4;               // of fits with new deviations of the radius
 // bounds of the pinhole: a camera of any width of view and a ball of any year; half a pixel of blur on each side, and more
 constexpr double kLeastScale = 1, kMostScale = 200;       // [m px]
 constexpr double kLeastOffset = -5, kMostOffset = 5;      // [px]
 constexpr double kLeastHeight = 0.05, kMostHeight = 1.5;  // [m]
-
-/// The deviation of a radius [px]: a part that all have, and a part that grows with it.
-struct RadiusNoise {
-  double base = 0.5, share = 0;
-  double of(double radius) const { return std::max(0.1, base + share * radius); }
-};
 
 /// The radius of a ball by the parameters of the pinhole.
 double radius_at(const Vector& p, double distance) { return p[1] + p[0] / std::hypot(distance, p[2]); }
@@ -32,17 +27,16 @@ double slope_at(const Vector& p, double distance) {
 
 Vector pinhole(const std::vector<BallSize>& sizes, const std::vector<std::size_t>& chosen, const RadiusNoise& noise,
                const Vector& start) {
-  // the deviations are those at the start, so that a fit cannot gain by a worse slope
-  std::vector<double> deviations;
-  deviations.reserve(chosen.size());
-  for (const std::size_t i : chosen)
-    deviations.push_back(std::hypot(noise.of(radius_at(start, sizes[i].distance)),
-                                    slope_at(start, sizes[i].distance) * sizes[i].deviation));
+  std::vector<double> of_radius;
+  of_radius.reserve(chosen.size());
+  for (const std::size_t i : chosen) of_radius.push_back(noise.of(radius_at(start, sizes[i].distance)));
+  // the part of the true distance moves with the parameters: so the true distances themselves are fitted, too (Deming)
   const auto residuals = [&](const Vector& p, Vector& errors) {
     errors.resize(chosen.size());
     for (std::size_t k = 0; k < chosen.size(); ++k) {
       const BallSize& size = sizes[chosen[k]];
-      errors[k] = (size.radius - radius_at(p, size.distance)) / deviations[k];
+      const double of_truth = slope_at(p, size.distance) * size.deviation;
+      errors[k] = (size.radius - radius_at(p, size.distance)) / std::hypot(of_radius[k], of_truth);
     }
   };
   return minimise({.least = {kLeastScale, kLeastOffset, kLeastHeight},
@@ -76,7 +70,7 @@ RadiusNoise noise_around(const Vector& p, const std::vector<BallSize>& sizes, co
   return {.base = std::max(0., of_small - share * small), .share = share};
 }
 
-Vector fit_pinhole(const std::vector<BallSize>& sizes, const std::vector<std::size_t>& chosen) {
+Curve fit_pinhole(const std::vector<BallSize>& sizes, const std::vector<std::size_t>& chosen) {
   std::vector<double> scales;
   for (const std::size_t i : chosen) scales.push_back(sizes[i].radius * std::hypot(sizes[i].distance, 0.4));
   Vector p{std::clamp(lab::median_of(std::move(scales)), kLeastScale, kMostScale), 0, 0.4};
@@ -85,7 +79,7 @@ Vector fit_pinhole(const std::vector<BallSize>& sizes, const std::vector<std::si
     p = pinhole(sizes, chosen, noise, p);
     if (chosen.size() >= 4) noise = noise_around(p, sizes, chosen);
   }
-  return p;
+  return {.kind = CurveKind::pinhole, .parameters = std::move(p), .noise = noise};
 }
 
 Vector fit_power_law(const std::vector<BallSize>& sizes, const std::vector<std::size_t>& chosen) {
@@ -108,6 +102,8 @@ Vector fit_constant(const std::vector<BallSize>& sizes, const std::vector<std::s
 
 }  // namespace
 
+double RadiusNoise::of(double radius) const { return std::max(0.1, base + share * radius); }
+
 std::string_view name_of(CurveKind kind) {
   switch (kind) {
     case CurveKind::constant: return "constant";
@@ -123,8 +119,14 @@ double Curve::distance(double radius) const {
     case CurveKind::power_law: return parameters[0] * std::pow(radius, parameters[1]);
     case CurveKind::pinhole: break;
   }
-  const double slant = parameters[0] / std::max(0.3, radius - parameters[1]);
-  return std::sqrt(std::max(0., slant * slant - parameters[2] * parameters[2]));
+  const double from_blur = std::max(0.3, radius - parameters[1]), slant = parameters[0] / from_blur;
+  const double square = slant * slant - parameters[2] * parameters[2];
+  if (square <= 0) return 0;
+  const double straight = std::sqrt(square), share = slant / straight;
+  // half the second derivative of the distance, by the variance of the radius
+  const double bend = straight * share * share * (3 - share * share) / (from_blur * from_blur);
+  const double sigma = noise.of(radius), most = kMostCorrection * straight;
+  return straight - std::clamp(bend * sigma * sigma / 2, -most, most);
 }
 
 Curve fit_curve(CurveKind kind, const std::vector<BallSize>& sizes, const std::vector<std::size_t>& chosen) {
@@ -133,7 +135,7 @@ Curve fit_curve(CurveKind kind, const std::vector<BallSize>& sizes, const std::v
     case CurveKind::power_law: return {.kind = kind, .parameters = fit_power_law(sizes, chosen)};
     case CurveKind::pinhole: break;
   }
-  return {.kind = kind, .parameters = fit_pinhole(sizes, chosen)};
+  return fit_pinhole(sizes, chosen);
 }
 
 }  // namespace robot::fit

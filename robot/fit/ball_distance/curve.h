@@ -19,12 +19,22 @@ enum class CurveKind {
 /// Names for tables: "constant", "power law", "pinhole".
 std::string_view name_of(CurveKind kind);
 
+/// The deviation of a radius in images: a part that all have, and a part that grows with it.
+struct RadiusNoise {
+  double base = 0.5;  // [px]
+  double share = 0;
+
+  double of(double radius) const;
+};
+
 struct Curve {
   CurveKind kind = CurveKind::constant;
-  Vector parameters;  // [m, or m px; 1, or px; m]
+  Vector parameters;       // [m, or m px; 1, or px; m]
+  RadiusNoise noise = {};  // of the pinhole
 
   /// Returns the distance [m] along the ground for a radius [px, see BallSize], 0 where the pinhole has none because the ball
-  /// would be nearer than below the camera.
+  /// would be nearer than below the camera. That of the pinhole is right on average over the noise of radii: a radius that is
+  /// too small by chance errs by more than one that is too large.
   double distance(double radius) const;
 };
 
