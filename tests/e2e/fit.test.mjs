@@ -86,6 +86,27 @@ test("the distance of the ball is fitted to its size in images, shown, and told 
   }
 });
 
+test("a plan names what is still missing, and less after more games", async (t) => {
+  const folder = temporaryFolder(t);
+  const files = await games(folder, 0.3, 2);
+  const plan = async (...sessions) => {
+    const { status, stdout, stderr } = await run("foresight-lab", "plan-fit", ...sessions, "--json");
+    assert.equal(status, 0, stderr);
+    return new Map(JSON.parse(stdout).map((need) => [need.figure, need]));
+  };
+  const [one, both] = [await plan(files[0]), await plan(...files)];
+  const rolling = [one, both].map((needs) => needs.get("ball.deceleration"));
+  assert.ok(rolling[0].events > 30 && rolling[1].events > rolling[0].events + 30);
+  assert.deepEqual([rolling[1].more, rolling[1].advice], [0, ""], "exact truth: the rolls are enough");
+  const far = both.get("ball distance at 3.0-4.5 m");
+  assert.deepEqual([far.events, far.loose, far.more], [0, 0, 5], "nobody recorded vision");
+  assert.match(far.advice, /walk to the ball/);
+
+  const few = await synthesize(folder, { name: "few", seconds: 8 });
+  const { stdout } = await run("foresight-lab", "plan-fit", few);
+  assert.match(stdout, /^ball\.deceleration +\d free rolls +- +5 % +1\d\d +roll the ball by hand/m);
+});
+
 test("recordings that carry no model are refused with the reasons, and nothing is written", async (t) => {
   const folder = temporaryFolder(t);
   const session = await synthesize(folder, { seconds: 8 });
