@@ -387,3 +387,60 @@ test("a layout is saved as a file and restores the views; another file is refuse
   );
   assert.deepEqual([...problems, ...other.problems], []);
 });
+
+test("a number over another one: belief against truth, and a dot leads to its moment", async (t) => {
+  const { server, topics } = await game(t);
+  const truth = "distance(pose,truth.ball)";
+  const curves = `plot=${truth} /14/2/ball.x&over=${truth}`;
+  const { page, problems } = await open(t, `${server.http}/#/14/2/plot?${curves}`);
+  const over = page.getByLabel("Over", { exact: true });
+  assert.equal(await over.inputValue(), truth);
+  const told = page.getByText(/^\d+ pairs of the part that this page has played$/);
+  await until(
+    async () => parseInt(await told.textContent()) > 100,
+    "a hundred pairs",
+    undefined,
+    () => told.textContent(),
+  );
+  await page.keyboard.press("Space");
+  await stands(page);
+  await shoot(page, "plot-over");
+
+  // a press beside all dots goes nowhere; one on a dot goes to the moment of its message
+  const plane = await page.locator("canvas[aria-label=Plot]").boundingBox();
+  await until(() => at(page) > 0n, "the moment of the pause");
+  const paused = at(page);
+  await page.mouse.click(plane.x + 4, plane.y + 4);
+  await page.waitForTimeout(400);
+  assert.equal(at(page), paused);
+  const balls = topics.get("/14/2/ball").messages.map(({ logTime }) => logTime);
+  let pressed = 0;
+  const around = () => ({
+    x: plane.x + plane.width * (0.1 + 0.05 * (pressed % 17)),
+    y: plane.y + plane.height * (0.2 + 0.06 * (Math.floor(pressed / 17) % 11)),
+  });
+  await until(
+    async () => {
+      const { x, y } = around();
+      ++pressed;
+      await page.mouse.click(x, y);
+      await page.waitForTimeout(50);
+      return at(page) !== paused;
+    },
+    "a dot under the pointer",
+    undefined,
+    () => `${pressed} places pressed`,
+  );
+  const moment = at(page);
+  const apart = (time) => Math.abs(Number(time - moment));
+  assert.ok(Math.min(...balls.map(apart)) < 1_000_000, "the moment of a message of the ball");
+
+  // over time again, and with the horizontal number removed
+  await over.selectOption({ label: "time" });
+  assert.doesNotMatch(page.url(), /over=/);
+  await over.selectOption({ index: 1 });
+  await page.getByRole("button", { name: `Remove ${truth}` }).click();
+  await over.waitFor({ state: "detached" });
+  await told.waitFor({ state: "detached" });
+  assert.deepEqual(problems, []);
+});

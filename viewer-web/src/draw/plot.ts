@@ -168,6 +168,11 @@ export function rangeOf(columns: Column[][]): Range {
       if (column.least < least) least = column.least;
       if (column.most > most) most = column.most;
     }
+  return rangeBetween(least, most);
+}
+
+/** Returns a range with a margin around all values, never of zero height. */
+export function rangeBetween(least: number, most: number): Range {
   if (!(most >= least)) return { least: 0, most: 1 };
   const air = most > least ? 0.06 * (most - least) : Math.max(0.5 * Math.abs(most), 0.5);
   return { least: least - air, most: most + air };
@@ -255,7 +260,7 @@ export function drawPlot(
   return ranges;
 }
 
-type Area = ReturnType<typeof areaOf>;
+export type Area = ReturnType<typeof areaOf>;
 
 function drawTimes(
   pen: Pen,
@@ -281,7 +286,8 @@ function drawTimes(
   }
 }
 
-function drawAxis(
+/** Draws the ticks and the name of a vertical axis, whose labels end at `right` [px]. */
+export function drawAxis(
   pen: Pen,
   area: Area,
   name: string,
@@ -312,12 +318,12 @@ function drawAxis(
   pen.fillText(name.length > 9 ? `${name.slice(0, 8)}…` : name, edge - 6, area.top - 14);
 }
 
-const tickText = (value: number): string =>
+export const tickText = (value: number): string =>
   Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-4)
     ? value.toExponential(1)
     : String(Number(value.toPrecision(5)));
 
-const yOf = (area: Area, { least, most }: Range, value: number): number =>
+export const yOf = (area: Area, { least, most }: Range, value: number): number =>
   area.top + area.height * (1 - (value - least) / (most - least));
 
 const kWide = 1.6; // [px] of a line
