@@ -35,8 +35,8 @@ struct Evidence {
   std::vector<std::string> left_out;  // one sentence for each recording that cannot be used
 };
 
-/// Reads recordings of robots and of ground truth, and finds for each robot the truth of its game: in its own recording, else
-/// the one whose times overlap and whose clock can be compared. A robot without one is left out with the reason. Returns an
+/// Reads recordings of robots and of ground truth, and finds for each robot the truth of its game. That is the truth in its own
+/// recording, else one whose times overlap and whose clock can be compared. A robot without one is left out with the reason. Returns an
 /// Error if a recording cannot be read, or if `truths` names one without /truth/world. Clocks may differ by at most `most_ns`.
 Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
                         const std::vector<std::filesystem::path>& truths, std::uint64_t most_ns);

@@ -7,8 +7,8 @@
 
 namespace robot::tests {
 
-/// The camera and its errors. The defaults are those of a Nao of 2012 that looks at the ball of that year, in images of 640
-/// pixels (shared/facts/ground_truth.md section 6: 320 pixels, f = 373 px, ball of 3.25 cm).
+/// The camera and its errors. The defaults are those of a Nao of 2012 that looks at the ball of that year. Images have 640
+/// pixels (shared/facts/ground_truth.md section 6: 373 px of focal length in 320 pixels, ball of 3.25 cm).
 struct PlantedBalls {
   double scale = 24.2;                             // [m px] focal length by radius
   double offset = 0.7;                             // [px]

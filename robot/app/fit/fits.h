@@ -15,7 +15,7 @@ namespace robot::app {
 /// The names for --only, in the order of the report.
 const std::vector<std::string>& names_of_fits();
 
-/// What the recordings can carry.
+/// All fits that the recordings carry.
 struct Fits {
   std::optional<fit::BallDistance> ball_distance;
   std::optional<fit::Rolling> rolling;

@@ -39,8 +39,8 @@ struct Curve {
 };
 
 /// Fits a curve to some of the observations, which may repeat; at least one. The power law is the straight line through
-/// logarithms. The pinhole treats both errors as such: the residual of a radius is divided by its own deviation and that which
-/// the deviation of the true distance causes; single bad radii hardly count (Loss::cauchy).
+/// logarithms. The pinhole treats both errors as such: the residual of a radius is divided by its own deviation and by
+/// that of the true distance. Single bad radii hardly count (Loss::cauchy).
 Curve fit_curve(CurveKind kind, const std::vector<BallSize>& sizes, const std::vector<std::size_t>& chosen);
 
 }  // namespace robot::fit

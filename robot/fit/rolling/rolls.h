@@ -19,9 +19,9 @@ struct Roll {
   double deviation = 0;       // [m/s²] one standard deviation of that, by the scatter of the places
 };
 
-/// Returns the rolls of a game. A roll ends where a robot is within 0.35 m, where the ball turns by more than 10° or
-/// becomes faster, beyond the error of the truth, where it is slower than 0.25 m/s, and where the truth has a gap. Shorter ones than 0.5 s are left out, and those whose places
-/// are no parabola.
+/// Returns the rolls of a game. A roll ends where a robot is within 0.35 m, where the ball is slower than 0.25 m/s, and where the
+/// truth has a gap. It also ends where the ball turns by more than 10° or becomes faster, beyond the error of the truth. Rolls
+/// shorter than 0.5 s are left out, and those whose places are no parabola.
 std::vector<Roll> rolls_in(const lab::TruthRecord& truth, std::size_t recording);
 
 }  // namespace robot::fit
