@@ -1,5 +1,7 @@
 #include "robot/fit/text_plot.h"
 
+#include <cmath>
+
 #include "robot/core/text.h"
 
 namespace robot::fit {
@@ -13,8 +15,8 @@ void TextPlot::dot(char sign, double x, double y) {
   const double across = (x - axes_.left) / (axes_.right - axes_.left);
   const double up = (y - axes_.bottom) / (axes_.top - axes_.bottom);
   if (!(across >= 0 && across <= 1 && up >= 0 && up <= 1)) return;
-  const auto column = static_cast<std::size_t>(across * (kWidth - 1) + 0.5);
-  const auto row = static_cast<std::size_t>((1 - up) * (kHeight - 1) + 0.5);
+  const auto column = static_cast<std::size_t>(std::lround(across * (kWidth - 1)));
+  const auto row = static_cast<std::size_t>(std::lround((1 - up) * (kHeight - 1)));
   rows_[row][column] = sign;
 }
 
