@@ -155,7 +155,7 @@ test("unknown objects show in the tree and in plots", async (t) => {
   await row(page, "ahead_mm").waitFor();
   await shoot(page, "foreign-objects");
   const plot = await open(t, `${server.http}/#//plot?plot=/estimate.where.x%20/vision/ball.spot.ahead_mm`);
-  await plot.page.getByText("/estimate.where.x").first().waitFor();
+  await plot.page.getByRole("list", { name: "Lines" }).getByText("/estimate.where.x").waitFor();
   await until(async () => (await plot.page.locator("main canvas").count()) > 0, "the plot");
   const values = plot.page.getByRole("list", { name: "Lines" }).locator(".number");
   await until(

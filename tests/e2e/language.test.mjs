@@ -211,8 +211,9 @@ test("an expression is a curve of the plot, names stand for joints and enum valu
 
   // the same page from its address
   const colleague = await open(t, page.url());
-  await colleague.page.getByText("distance(ball, truth.ball)", { exact: true }).waitFor();
-  await colleague.page.getByText("any(ball.x > 2)", { exact: true }).waitFor();
+  const theirs = colleague.page.getByRole("list", { name: "Lines" });
+  await theirs.getByText("distance(ball, truth.ball)", { exact: true }).waitFor();
+  await theirs.getByText("any(ball.x > 2)", { exact: true }).waitFor();
   await colleague.page.emulateMedia({ colorScheme: "dark" });
   await until(async () => (await colleague.page.getByText("no value yet").count()) === 0, "values");
   await shoot(colleague.page, "language-plot-dark");
