@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 
+#include "robot/core/text.h"
 #include "robot/lab/clocks/session_times.h"
 
 namespace robot::fit {
@@ -40,10 +43,36 @@ Result<WatchedRobot> placed(const logging::Session& session, const std::shared_p
       .name = "", .session = session, .game = game, .path = std::move(own->path), .clock = robot.offset->clock};
 }
 
-/// Places a robot in the truth of its own recording.
-Result<WatchedRobot> in_own_truth(const logging::Session& session, const std::shared_ptr<const TrueGame>& game,
-                                  lab::RobotRecord record) {
-  return placed(session, game, {.session = 0, .record = std::move(record), .offset = lab::TruthOffset{}});
+/// Returns the robots whose beliefs or motion a recording holds: "14/2".
+std::vector<std::string> robots_in(const logging::Session& session) {
+  std::set<std::string> names;
+  for (const logging::StreamFile& stream : session.streams) {
+    const std::vector<std::string_view> parts = split(stream.topic, "/");
+    if (parts.size() != 4 || !parts[0].empty()) continue;
+    if (parts[3] == "pose" || parts[3] == "ball" || parts[3] == "motion_status")
+      names.insert(std::string(parts[1]) + "/" + std::string(parts[2]));
+  }
+  return {names.begin(), names.end()};
+}
+
+/// Places each robot of a recording in the truth of this recording.
+void place_in_own_truth(const logging::Session& session, const std::shared_ptr<const TrueGame>& game,
+                        Evidence& evidence) {
+  const std::vector<std::string> robots = robots_in(session);
+  for (const std::string& one : robots) {
+    logging::Session of_one = session;
+    of_one.info.robot = one;
+    const std::string name = game->name + (robots.size() > 1 ? " " + one : "");
+    lab::RobotRecord record = lab::read_robot(of_one, game->record.epoch_ns);
+    if (record.empty()) continue;
+    auto robot = placed(of_one, game, {.session = 0, .record = std::move(record), .offset = lab::TruthOffset{}});
+    if (!robot) {
+      evidence.left_out.push_back(name + ": " + robot.error());
+      continue;
+    }
+    robot->name = name;
+    evidence.robots.push_back(std::move(*robot));
+  }
 }
 
 Result<WatchedRobot> in_truth_of(const logging::Session& session, const TruthSession& truth, std::uint64_t most_ns) {
@@ -84,11 +113,12 @@ Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
     const auto session = logging::open_session(path);
     if (!session) return session.failure();
     const std::string name = name_of(*session, path);
-    const auto own = game_of(*session, name);
-    if (own) evidence.games.push_back(own);
-    lab::RobotRecord record = lab::read_robot(*session, own ? own->record.epoch_ns : session->start_ns);
-    if (own && record.empty()) continue;  // the truth alone
-    auto robot = own ? in_own_truth(*session, own, std::move(record)) : in_any_truth(*session, known, most_ns);
+    if (const auto own = game_of(*session, name)) {
+      evidence.games.push_back(own);
+      place_in_own_truth(*session, own, evidence);
+      continue;
+    }
+    auto robot = in_any_truth(*session, known, most_ns);
     if (!robot) {
       evidence.left_out.push_back(name + ": " + robot.error());
       continue;

@@ -22,8 +22,8 @@ struct TrueGame {
 
 /// One robot's recording, and its place in the truth.
 struct WatchedRobot {
-  std::string name;  // of its session
-  logging::Session session;
+  std::string name;          // of its session, and its own if that holds several robots
+  logging::Session session;  // `info.robot` is this one
   std::shared_ptr<const TrueGame> game;
   lab::Path path;         // of this robot in the truth
   lab::DataOffset clock;  // of its clock to that of the truth; exact if both are in one recording
@@ -36,7 +36,8 @@ struct Evidence {
 };
 
 /// Reads recordings of robots and of ground truth, and finds for each robot the truth of its game. That is the truth in its own
-/// recording, else one whose times overlap and whose clock can be compared. A robot without one is left out with the reason. Returns an
+/// recording, else one whose times overlap and whose clock can be compared. A recording with its own truth may hold several
+/// robots: a simulated game. A robot without one is left out with the reason. Returns an
 /// Error if a recording cannot be read, or if `truths` names one without /truth/world. Clocks may differ by at most `most_ns`.
 Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
                         const std::vector<std::filesystem::path>& truths, std::uint64_t most_ns);

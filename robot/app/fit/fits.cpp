@@ -5,6 +5,7 @@
 
 #include "robot/core/json_library.h"
 #include "robot/core/text.h"
+#include "sim/io/models.h"
 
 namespace robot::app {
 namespace {
@@ -29,6 +30,19 @@ nlohmann::ordered_json json_of(const fit::HeldOut& errors) {
           {"mean", errors.mean},   {"median", errors.median}, {"p95", errors.p95}, {"bias", errors.bias}};
 }
 
+fit::KickFacts kick_facts_of(const sim::Models& models) {
+  fit::KickFacts facts{.kinds = {}, .deceleration = models.ball.deceleration, .spread = models.motion.hits.spread};
+  for (int i = 0; i < models.motion.kick_count; ++i) {
+    const sim::motion::Kick& kick = models.motion.kicks[i];
+    facts.kinds.push_back({.name = kick.name,
+                           .ball_x = kick.ball_x,
+                           .ball_y = kick.ball_y,
+                           .gate_x = kick.gate_x,
+                           .gate_y = kick.gate_y});
+  }
+  return facts;
+}
+
 /// Makes a fit if it is wanted. A refusal becomes a sentence.
 template <class Make>
 auto made(const std::string& name, const std::vector<std::string>& only, Make&& make, std::vector<std::string>& kept) {
@@ -43,7 +57,7 @@ auto made(const std::string& name, const std::vector<std::string>& only, Make&& 
 }  // namespace
 
 const std::vector<std::string>& names_of_fits() {
-  static const std::vector<std::string> names{"ball_distance", "rolling"};
+  static const std::vector<std::string> names{"ball_distance", "rolling", "kicks"};
   return names;
 }
 
@@ -51,6 +65,9 @@ std::vector<fit::Figure> Fits::figures() const {
   std::vector<fit::Figure> all;
   if (ball_distance) all = ball_distance->figures;
   if (rolling) all.push_back(rolling->deceleration);
+  if (!kicks) return all;
+  for (const fit::KickFit& kick : kicks->fits) all.insert(all.end(), kick.figures.begin(), kick.figures.end());
+  all.push_back(kicks->partial);
   return all;
 }
 
@@ -58,14 +75,19 @@ std::vector<std::pair<std::string, fit::Table>> Fits::tables() const {
   std::vector<std::pair<std::string, fit::Table>> all;
   if (ball_distance) all.emplace_back("ball_distance", table_of(*ball_distance));
   if (rolling) all.emplace_back("rolling", table_of(*rolling));
+  if (kicks)
+    for (const fit::KickFit& kick : kicks->fits)
+      all.emplace_back("kick_" + kick.kind, table_of(kick, kicks->recordings));
   return all;
 }
 
-Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::string>& only) {
+Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::string>& only, const std::string& base) {
   const std::vector<std::string>& names = names_of_fits();
   for (const std::string& name : only)
     if (std::ranges::find(names, name) == names.end())
       return Error{"--only: expected " + joined(names, ", ") + ", got '" + printable(name, 40) + "'"};
+  const auto models = sim::io::load_models(base);
+  if (!models) return models.failure();
   Fits fits;
   fits.left_out = evidence.left_out;
   fits.ball_distance = made(
@@ -73,6 +95,11 @@ Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::strin
   fits.rolling = made(
       "rolling", only, [&] { return fit::fit_rolling(evidence); }, fits.kept);
   if (fits.rolling) fits.kept.push_back(fits.rolling->kept);
+  fit::KickFacts facts = kick_facts_of(*models);
+  if (fits.rolling) facts.deceleration = fits.rolling->deceleration.value;
+  fits.kicks = made(
+      "kicks", only, [&] { return fit::fit_kicks(evidence, facts); }, fits.kept);
+  if (fits.kicks) fits.kept.insert(fits.kept.end(), fits.kicks->kept.begin(), fits.kicks->kept.end());
   return fits;
 }
 
@@ -80,6 +107,7 @@ std::string to_text(const Fits& fits) {
   std::string text;
   if (fits.ball_distance) text += to_text(*fits.ball_distance) + '\n';
   if (fits.rolling) text += to_text(*fits.rolling) + '\n';
+  if (fits.kicks) text += to_text(*fits.kicks) + '\n';
   for (const std::string& sentence : fits.kept) text += "kept      " + sentence + '\n';
   for (const std::string& sentence : fits.left_out) text += "left out  " + sentence + '\n';
   return text;
@@ -93,6 +121,15 @@ nlohmann::ordered_json to_json(const Fits& fits) {
     for (const fit::HeldOut& errors : fits.ball_distance->held_out) held_out.push_back(json_of(errors));
   }
   if (fits.rolling) json["rolling"]["spread"] = fits.rolling->spread;
+  if (fits.kicks)
+    for (const fit::KickFit& kick : fits.kicks->fits)
+      json["kicks"][kick.kind] = {{"kicks", kick.kicks.size()},
+                                  {"out_of_place", kick.out_of_place},
+                                  {"disturbed", kick.disturbed},
+                                  {"missed", kick.missed},
+                                  {"covered", kick.covered},
+                                  {"crps", kick.crps},
+                                  {"constant_error", kick.constant_error}};
   json["kept"] = fits.kept;
   json["left_out"] = fits.left_out;
   return json;

@@ -8,6 +8,7 @@
 
 #include "robot/core/result.h"
 #include "robot/fit/ball_distance/ball_distance.h"
+#include "robot/fit/kicks/kicks.h"
 #include "robot/fit/rolling/rolling.h"
 
 namespace robot::app {
@@ -19,18 +20,20 @@ const std::vector<std::string>& names_of_fits();
 struct Fits {
   std::optional<fit::BallDistance> ball_distance;
   std::optional<fit::Rolling> rolling;
+  std::optional<fit::Kicks> kicks;
   std::vector<std::string> kept;      // one sentence for each model that stays as it is
   std::vector<std::string> left_out;  // one sentence for each recording that could not be used
 
-  bool empty() const { return !ball_distance && !rolling; }
+  bool empty() const { return !ball_distance && !rolling && !kicks; }
   /// Returns all fitted figures.
   std::vector<fit::Figure> figures() const;
   /// Returns the tables behind the fits by name.
   std::vector<std::pair<std::string, fit::Table>> tables() const;
 };
 
-/// Fits the models named in `only`, or all if it is empty. Returns an Error for an unknown name.
-Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::string>& only);
+/// Fits the models named in `only`, or all if it is empty. Facts that are not fitted are those of the models `base`, a name or a
+/// file: the places of the ball for a kick, and the deceleration where no rolls tell it. Returns an Error for an unknown name.
+Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::string>& only, const std::string& base);
 
 /// Formats the fits for a terminal, or as JSON.
 std::string to_text(const Fits& fits);

@@ -37,7 +37,7 @@ class FitCommand final : public Command {
     if (!most_ns) return fail(most_ns.error());
     const auto evidence = fit::gather(sessions_, truths_, *most_ns);
     if (!evidence) return fail(evidence.error());
-    const auto fits = fit_all(*evidence, only_);
+    const auto fits = fit_all(*evidence, only_, base_);
     if (!fits) return fail(fits.error());
     if (const auto written = write(*fits); !written) return fail(written.error());
     if (json_)

@@ -93,6 +93,21 @@ std::optional<Vector> solve(std::vector<Vector> a, Vector b) {
   return b;
 }
 
+std::optional<Vector> parameter_deviations(const LeastSquares& problem, const Vector& parameters) {
+  Vector residuals;
+  problem.residuals(parameters, residuals);
+  const Normal normal = normal_at(problem, parameters, residuals);
+  Vector deviations(parameters.size());
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    Vector unit(parameters.size());
+    unit[i] = 1;
+    const auto column = solve(normal.curvature, std::move(unit));
+    if (!column || !((*column)[i] > 0)) return std::nullopt;
+    deviations[i] = std::sqrt((*column)[i]);
+  }
+  return deviations;
+}
+
 Solution minimise(const LeastSquares& problem, Vector start) {
   Solution best{.parameters = std::move(start)};
   Vector residuals, trial;

@@ -31,6 +31,10 @@ struct Solution {
   double cost = 0;  // sum of the losses of all residuals
 };
 
+/// Returns one standard deviation of each parameter, for residuals in standard deviations, or nothing if the residuals do not
+/// tell all parameters.
+std::optional<Vector> parameter_deviations(const LeastSquares& problem, const Vector& parameters);
+
 /// Minimises the cost from `start` (Levenberg and Marquardt). A result on a bound is possible. Deterministic.
 Solution minimise(const LeastSquares& problem, Vector start);
 

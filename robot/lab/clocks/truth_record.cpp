@@ -62,7 +62,11 @@ class TruthRecorder {
     record_.sightings.push_back({.at = at, .seen = seen});
     if (seen) add_ball(truth.ball(), at);
     for (const GroundTruth::TrueRobot& robot : truth.robots())
-      if (is_finite(robot.x(), robot.y())) add_robot(robot, {.at = at, .x = robot.x(), .y = robot.y()});
+      if (is_finite(robot.x(), robot.y()))
+        add_robot(robot, {.at = at,
+                          .x = robot.x(),
+                          .y = robot.y(),
+                          .heading = robot.has_heading() ? static_cast<double>(robot.heading()) : NAN});
   }
 
   TruthRecord finished() && {
@@ -119,7 +123,10 @@ std::optional<PlaceAt> place_at(const Path& path, double at) {
   const PlaceAt &before = *(next - 1), &after = *next;
   if (after.at - before.at > SmoothCurve::kLongestGap) return std::nullopt;
   const double part = (at - before.at) / (after.at - before.at);
-  return PlaceAt{.at = at, .x = before.x + part * (after.x - before.x), .y = before.y + part * (after.y - before.y)};
+  return PlaceAt{.at = at,
+                 .x = before.x + part * (after.x - before.x),
+                 .y = before.y + part * (after.y - before.y),
+                 .heading = part < 0.5 ? before.heading : after.heading};
 }
 
 SmoothCurve curve_of(const Path& path, double PlaceAt::*coordinate) {

@@ -1,6 +1,7 @@
 // The ground truth of a session: the paths of the ball and of the robots.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,8 +14,9 @@ namespace robot::lab {
 
 /// A place on the field at one moment.
 struct PlaceAt {
-  double at = 0;        // [s] since the record's epoch
-  double x = 0, y = 0;  // [m, field]
+  double at = 0;         // [s] since the record's epoch
+  double x = 0, y = 0;   // [m, field]
+  double heading = NAN;  // [rad, field] of a robot; NaN where the truth has none
 };
 
 /// The path of one robot, or of the ball.
@@ -39,7 +41,7 @@ struct TruthRecord {
 /// Returns the ground truth of a session, empty without one. Leaves out damaged messages and places that are not finite.
 TruthRecord read_truth(const logging::Session& session);
 
-/// Returns the interpolated place at a moment [s], or nothing within a pause of more than SmoothCurve::kLongestGap.
+/// Returns the interpolated place at a moment [s] with the nearer heading, or nothing within a pause of more than SmoothCurve::kLongestGap.
 std::optional<PlaceAt> place_at(const Path& path, double at);
 
 /// Returns the coordinate of a path as a smooth curve.

@@ -50,6 +50,21 @@ TEST(LeastSquares, TheLossOfCauchyForgetsALargeOutlier) {
   EXPECT_GT(std::abs(pulled.parameters[0] - 2), 0.01) << "a linear loss has a pull that does not fall";
 }
 
+TEST(LeastSquares, DeviationsOfTheParametersAreThoseOfALine) {
+  // y = a + b x at x = -1, 0, 1: variances 1/3 and 1/2
+  const LeastSquares line{.least = {-9, -9}, .most = {9, 9}, .residuals = [](const Vector& p, Vector& residuals) {
+                            residuals = {p[0] - p[1], p[0], p[0] + p[1]};
+                          }};
+  const auto deviations = parameter_deviations(line, {0, 0});
+  ASSERT_TRUE(deviations);
+  EXPECT_NEAR((*deviations)[0], std::sqrt(1 / 3.), 1e-6);
+  EXPECT_NEAR((*deviations)[1], std::sqrt(1 / 2.), 1e-6);
+  const LeastSquares untold{.least = {-9, -9}, .most = {9, 9}, .residuals = [](const Vector& p, Vector& residuals) {
+                              residuals = {p[0], p[0]};
+                            }};
+  EXPECT_FALSE(parameter_deviations(untold, {0, 0}));
+}
+
 TEST(LeastSquares, StaysWithinTheBounds) {
   LeastSquares problem = curve(0);
   problem.least[1] = -0.5;

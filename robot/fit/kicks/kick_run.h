@@ -1,0 +1,20 @@
+// The kicks that a robot made, as its own recording has them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robot/fit/evidence.h"
+
+namespace robot::fit {
+
+struct KickRun {
+  std::string kind;           // "forward": its name in the models
+  bool left = true;           // the foot
+  double begin = 0, end = 0;  // [s] by the clock of the truth, since its epoch
+};
+
+/// Reads the runs of a robot: from its motion status, else from its commands.
+std::vector<KickRun> read_kick_runs(const WatchedRobot& robot);
+
+}  // namespace robot::fit
