@@ -1,6 +1,7 @@
 // A fitted figure, with all that a reader needs to judge it.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -23,6 +24,10 @@ struct Figure {
   std::string kind;          // of the events: "rolls"
   std::vector<std::string> recordings;
   Domain domain;
+  double widest = INFINITY;  // half the widest interval that is worth more than a default
+
+  /// Reports whether the recordings know it well enough to replace a default.
+  bool is_known() const { return (high - low) / 2 <= widest; }
 };
 
 /// Formats a figure: "0.302 m/s² (95 %: 0.295 .. 0.309), 41 rolls of 3 recordings, speed 0.25 .. 2.1 m/s".

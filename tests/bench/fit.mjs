@@ -6,7 +6,9 @@ const kRanges = { in_range_cm: "0.5 to 3 m", near_cm: "0.15 to 0.5 m", far_cm: "
 
 export async function fit({ choices = 100 }) {
   const report = new Report("fit", "are fitted models exact, and their intervals honest?");
-  const [study, ...planted] = await cases("bench_fit", [choices]);
+  const all = await cases("bench_fit", [choices]);
+  const of = (name) => all.filter((one) => one.case === name);
+  const [study] = of("study");
   for (const [range, about] of Object.entries(kRanges)) {
     const law = study.power_law[range];
     report.figure(`ball distance, ${about}: pinhole, mean error`, study.pinhole[range], "cm", { atMost: law });
@@ -14,7 +16,17 @@ export async function fit({ choices = 100 }) {
     report.figure(`ball distance, ${about}: constant, mean error`, study.constant[range], "cm");
   }
   report.figure("460 images: fit, intervals and held-out errors", study.seconds, "s", { atMost: 2 });
-  for (const { figure, repetitions, coverage, half_width, bias_share } of planted) {
+  for (const { partial, repetitions, ...kicks } of of("kicks")) {
+    const name = partial > 0 ? `50 kicks, ${100 * partial} % partial` : "50 kicks";
+    const bar = partial > 0 ? () => ({}) : (limit) => limit; // the bars are for kicks on an empty field
+    report.figure(`${name}: error of the speed, p95`, kicks.speed_percent, `% of ${repetitions}`, bar({ atMost: 5 }));
+    report.figure(`${name}: error of the direction, p95`, kicks.direction_degrees, "deg", bar({ atMost: 2 }));
+    report.figure(`${name}: landed in the region of 90 %, held out`, kicks.covered_percent, "%", {
+      between: [85, 95],
+    });
+    report.figure(`${name}: CRPS, relative to a constant's`, kicks.crps_share, "", { atMost: 1 });
+  }
+  for (const { figure, repetitions, coverage, half_width, bias_share } of of("planted")) {
     report.figure(`${figure}: interval covers the planted value`, 100 * coverage, `% of ${repetitions}`, {
       between: [90, 99],
     });

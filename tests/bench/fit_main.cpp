@@ -4,6 +4,7 @@
 //
 // Prints a line of JSON for each case:
 //   study    the 460 images of the thesis from 0.5 to 3 m; errors of each curve on other recordings, also nearer and farther
+//   kicks    50 kicks of a kind: errors of speed and direction, coverage and score of the landing points
 //   planted  each fitted figure: share of intervals that cover the planted value, bias in parts of the interval
 #include <algorithm>
 #include <cmath>
@@ -20,11 +21,13 @@
 
 #include "robot/core/clock.h"
 #include "robot/fit/ball_distance/ball_distance.h"
+#include "robot/fit/kicks/kicks.h"
 #include "robot/fit/rolling/rolling.h"
 #include "sim/io/matchup.h"
 #include "sim/match/step.h"
 #include "sim/statistics/sample.h"
 #include "tests/support/planted_balls.h"
+#include "tests/support/planted_kicks.h"
 
 namespace {
 
@@ -166,6 +169,57 @@ void rolling(int repetitions, int games) {
   tally.print("ball.deceleration", kPlanted);
 }
 
+// --- kicks ---
+
+robot::fit::KickFit tracked_kicks(const robot::tests::KickedBalls& game) {
+  const robot::fit::KickKind kind{.name = "forward", .ball_x = 0.18, .ball_y = 0.05, .gate_x = 0.1, .gate_y = 0.1};
+  robot::fit::KickFit seen;
+  seen.kind = kind.name;
+  seen.slowest = std::sqrt(2 * 0.3 * 3 * kTruthError);
+  for (const robot::fit::KickRun& run : game.runs) {
+    const auto kick = robot::fit::tracked(game.truth, game.robot, run, kind, 0.3);
+    if (const auto* good = std::get_if<robot::fit::TrackedKick>(&kick)) seen.kicks.push_back(*good);
+  }
+  return seen;
+}
+
+void kicks(int repetitions, double partial) {
+  robot::tests::PlantedKicks planted{.truth_error = kTruthError};
+  planted.model.partial = partial;
+  const robot::fit::KickModel& model = planted.model;
+  const double values[] = {model.speed * model.speed / 0.6, model.range_deviation, model.direction,
+                           model.direction_deviation, planted.delay};
+  std::vector<Tally> tallies(5);
+  Tally partials;
+  std::vector<double> speeds, directions, covered, scores;
+  for (int i = 0; i < repetitions; ++i) {
+    const auto fit =
+        robot::fit::fit_kind(tracked_kicks(robot::tests::kicked_balls(planted, 500 + static_cast<std::uint64_t>(i))),
+                             {"planted"}, {.kinds = {}, .deceleration = 0.3, .spread = planted.spread});
+    if (!fit) continue;
+    for (std::size_t k = 0; k < tallies.size(); ++k) tallies[k].add(fit->figures[k], values[k]);
+    partials.add(fit->partial, partial);
+    speeds.push_back(100 * std::abs(fit->model.speed / model.speed - 1));
+    directions.push_back(std::abs(fit->model.direction - model.direction) * 180 / 3.14159265);
+    covered.push_back(100 * fit->covered);
+    scores.push_back(fit->crps / fit->constant_error);
+  }
+  std::cout << json{{"case", "kicks"},
+                    {"partial", partial},
+                    {"repetitions", speeds.size()},
+                    {"speed_percent", sim::statistics::quantile(speeds, 0.95)},
+                    {"direction_degrees", sim::statistics::quantile(directions, 0.95)},
+                    {"covered_percent", sim::statistics::mean_of(covered)},
+                    {"crps_share", sim::statistics::mean_of(scores)}}
+                   .dump()
+            << '\n';
+  const std::string name =
+      partial > 0 ? "kick, " + std::to_string(static_cast<int>(100 * partial)) + " % partial: " : "kick: ";
+  const char* names[] = {"range", "range_deviation", "direction", "direction_deviation", "delay"};
+  for (std::size_t k = 0; k < tallies.size(); ++k) tallies[k].print(name + names[k], values[k]);
+  if (partial > 0) partials.print(name + "partial", partial);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -174,5 +228,7 @@ int main(int count, char** words) {
   study(std::min(repetitions, 40));
   ball_distance(repetitions);
   rolling(repetitions, games);
+  kicks(repetitions, 0);
+  kicks(repetitions, 0.6);
   return 0;
 }

@@ -28,7 +28,7 @@ svg { display: block; width: 100%; height: auto; }
 .key.line { height: 2px; width: 20px; vertical-align: middle; border-radius: 0; } .key.power { background: var(--other); }
 .wide { overflow-x: auto; margin-top: 14px; } td, th { text-align: right; padding: 4px 0 4px 16px; white-space: nowrap; }
 td:first-child, th:first-child { text-align: left; padding-left: 0; }
-ul { padding-left: 20px; margin: 6px 0; }
+ul { padding-left: 20px; margin: 6px 0; } tr.loose td { color: var(--soft); }
 )";
 
 using Points = std::vector<std::pair<double, double>>;
@@ -194,8 +194,9 @@ std::string figures_table(const Fits& fits) {
       "%</th><th>unit</th><th>events</th><th>recordings</th><th>valid for</th></tr>\n";
   for (const fit::Figure& figure : fits.figures())
     text += formatted(
-        "<tr><td>%s</td><td>%.4g</td><td>%.4g .. %.4g</td><td>%s</td><td>%zu %s</td><td title=\"%s\">%zu</td>"
+        "<tr%s><td>%s</td><td>%.4g</td><td>%.4g .. %.4g</td><td>%s</td><td>%zu %s</td><td title=\"%s\">%zu</td>"
         "<td>%s %.2f .. %.2f %s</td></tr>\n",
+        figure.is_known() ? "" : " class=\"loose\" title=\"known too loosely: the models keep theirs\"",
         escaped(figure.name).c_str(), figure.value, figure.low, figure.high, escaped(figure.unit).c_str(),
         figure.events, escaped(figure.kind).c_str(), escaped(joined(figure.recordings, ", ")).c_str(),
         figure.recordings.size(), escaped(figure.domain.quantity).c_str(), figure.domain.from, figure.domain.to,

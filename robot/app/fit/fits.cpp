@@ -15,6 +15,7 @@ nlohmann::ordered_json json_of(const fit::Figure& figure) {
           {"unit", figure.unit},
           {"low", figure.low},
           {"high", figure.high},
+          {"known", figure.is_known()},
           {"events", figure.events},
           {"kind", figure.kind},
           {"recordings", figure.recordings},
@@ -100,6 +101,11 @@ Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::strin
   fits.kicks = made(
       "kicks", only, [&] { return fit::fit_kicks(evidence, facts); }, fits.kept);
   if (fits.kicks) fits.kept.insert(fits.kept.end(), fits.kicks->kept.begin(), fits.kicks->kept.end());
+  for (const fit::Figure& figure : fits.figures())
+    if (!figure.is_known())
+      fits.kept.push_back(formatted("%s: it is known to ± %.2g%s%s only, and stays", figure.name.c_str(),
+                                    (figure.high - figure.low) / 2, figure.unit.empty() ? "" : " ",
+                                    figure.unit.c_str()));
   return fits;
 }
 

@@ -42,7 +42,8 @@ nlohmann::ordered_json to_json(const Fits& fits);
 /// Returns a single HTML file without scripts, which needs no other file: pictures first, then tables.
 std::string page_of(const Fits& fits);
 
-/// Returns a description of models (sim/io/models.h): those of `base` with the fitted figures that the simulator knows. The
+/// Returns a description of models (sim/io/models.h): those of `base` with the fitted figures that the simulator has and that
+/// are known well enough. The
 /// source of each one says what it was fitted to, and keeps the old value and source. Returns an Error if `base` cannot be
 /// loaded or if a figure is outside its range.
 Result<std::string> fitted_models(const Fits& fits, const std::string& base, const std::string& name);

@@ -21,6 +21,14 @@ const Json* entry_at(const Json& models, const std::string& name) {
   return at;
 }
 
+/// Returns the first names, and the number of the others.
+std::string names_of(const std::vector<std::string>& recordings) {
+  constexpr std::size_t kMost = 3;
+  if (recordings.size() <= kMost) return joined(recordings, ", ");
+  return joined({recordings.begin(), recordings.begin() + kMost}, ", ") +
+         formatted(" and %zu more", recordings.size() - kMost);
+}
+
 /// Returns the value with six digits: more than any fit knows.
 double rounded(double value) { return std::stod(formatted("%.6g", value)); }
 
@@ -29,7 +37,7 @@ Json entry_of(const fit::Figure& figure, const Json& before) {
   const std::string old = formatted("%.4g", before.value("value", 0.)) + (source.empty() ? "" : ", " + source);
   return {{"value", rounded(figure.value)},
           {"unit", figure.unit},
-          {"source", "fitted to " + joined(figure.recordings, ", ") + ": " + to_text(figure) + "; before: " + old}};
+          {"source", "fitted to " + names_of(figure.recordings) + ": " + to_text(figure) + "; before: " + old}};
 }
 
 }  // namespace
@@ -44,7 +52,7 @@ Result<std::string> fitted_models(const Fits& fits, const std::string& base, con
               {"based_on", base}};
   for (const fit::Figure& figure : fits.figures()) {
     const Json* before = entry_at(known, figure.name);
-    if (!before) continue;
+    if (!before || !figure.is_known()) continue;
     Json* into = &fitted;
     for (const std::string_view part : split(figure.name, ".")) into = &(*into)[std::string(part)];
     *into = entry_of(figure, *before);

@@ -9,6 +9,7 @@
 namespace robot::fit {
 namespace {
 
+constexpr double kLeastPartial = 1e-3;  // a probability that no number of kicks tells from 0
 constexpr double kLeastDensity = 1e-4;  // of any kick: a single one that fits nothing hardly counts
 
 double normal(double distance, double deviation) {
@@ -30,6 +31,29 @@ KickModel model_of(const Vector& p) {
 bool is_possible(const KickModel& model) {
   return model.speed > 0.05 && model.speed < 8 && model.range_deviation > 0.005 && model.range_deviation < 0.6 &&
          model.direction_deviation > 0.002 && model.direction_deviation < 1 && model.partial >= 0 && model.partial <= 1;
+}
+
+/// A summit of the likelihood.
+struct Summit {
+  KickModel model;
+  double unlikely = INFINITY;  // minus the logarithm of the likelihood
+};
+
+Summit climbed(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen, const KickSight& sight,
+               const KickModel& start) {
+  const auto unlikely = [&](const Vector& p) {
+    const KickModel model = model_of(p);
+    if (!is_possible(model)) return static_cast<double>(INFINITY);
+    double sum = 0;
+    for (const std::size_t i : chosen)
+      sum -= std::log(kLeastDensity + model.density(kicks[i], sight.spread, sight.slowest));
+    return sum;
+  };
+  const double aside = start.partial > 0.5 ? -0.08 : 0.08;  // towards the middle of what is possible
+  const Vector found = least_of(unlikely, vector_of(start), {-0.1 * start.speed, 0.08, 0.05, 0.05, aside});
+  Summit summit{.model = model_of(found), .unlikely = unlikely(found)};
+  if (summit.model.partial < kLeastPartial) summit.model.partial = 0;
+  return summit;
 }
 
 }  // namespace
@@ -58,17 +82,8 @@ KickModel fit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std:
   }
   std::ranges::sort(speeds);
   std::ranges::sort(directions);
-  const auto unlikely = [&](const Vector& p) {
-    const KickModel model = model_of(p);
-    if (!is_possible(model)) return static_cast<double>(INFINITY);
-    double sum = 0;
-    for (const std::size_t i : chosen)
-      sum -= std::log(kLeastDensity + model.density(kicks[i], sight.spread, sight.slowest));
-    return sum;
-  };
   // the likelihood may have a summit for mostly full hits and one for mostly partial ones
-  Vector best;
-  double least = INFINITY;
+  Summit best;
   for (const double partial : {0.1, 0.5, 0.9}) {
     const double rank = partial < 0.3 ? 0.5 : 0.9;
     const KickModel start{.speed = speeds[static_cast<std::size_t>(rank * static_cast<double>(speeds.size() - 1))],
@@ -76,10 +91,14 @@ KickModel fit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std:
                           .direction = directions[directions.size() / 2],
                           .direction_deviation = 0.1,
                           .partial = partial};
-    Vector found = least_of(unlikely, vector_of(start), {-0.1 * start.speed, 0.08, 0.05, 0.05, 0.08});
-    if (const double value = unlikely(found); value < least) least = value, best = std::move(found);
+    if (const Summit found = climbed(kicks, chosen, sight, start); found.unlikely < best.unlikely) best = found;
   }
-  return best.empty() ? KickModel{} : model_of(best);
+  return best.model;
+}
+
+KickModel refit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen,
+                     const KickSight& sight, const KickModel& near) {
+  return climbed(kicks, chosen, sight, near).model;
 }
 
 }  // namespace robot::fit

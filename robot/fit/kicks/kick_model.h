@@ -31,5 +31,8 @@ struct KickSight {
 /// Fits the model to some of the kicks, which may repeat, by the greatest likelihood; at least one.
 KickModel fit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen,
                    const KickSight& sight);
+/// The same, from a model that is near already.
+KickModel refit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen,
+                     const KickSight& sight, const KickModel& near);
 
 }  // namespace robot::fit

@@ -16,8 +16,19 @@ namespace {
 
 constexpr std::size_t kFewestKicks = 15, kKickSamples = 200, kFolds = 5, kDrawn = 1000;
 constexpr double kRegion = 0.9;
-constexpr std::array<const char*, 4> kParts{"range", "range_deviation", "direction", "direction_deviation"};
-constexpr std::array<const char*, 4> kPartUnits{"m", "", "rad", "rad"};
+
+/// A figure of a kind, as the models have it.
+struct Part {
+  const char* name;
+  const char* unit;
+  double widest;  // see Figure; of the range as its share
+  double least;   // possible value
+};
+constexpr std::array<Part, 4> kParts{{{"range", "m", 0.3, 0},
+                                      {"range_deviation", "", 0.1, 0},
+                                      {"direction", "rad", 0.1, -4},
+                                      {"direction_deviation", "rad", 0.06, 0}}};
+constexpr double kWidestDelay = 0.1, kWidestPartial = 0.2;  // [s], [probability]
 
 double range_of(double speed, double deceleration) { return speed * speed / (2 * deceleration); }
 
@@ -104,17 +115,18 @@ Scores held_out_scores(const std::vector<TrackedKick>& kicks, const KickSight& s
   return scores;
 }
 
-Figure figure_of(const KickFit& fit, const std::string& part, const std::string& unit, double value, double half) {
+Figure figure_of(const KickFit& fit, const Part& part, double value, double half) {
   const auto [slowest, fastest] = std::ranges::minmax_element(fit.kicks, {}, &TrackedKick::speed);
-  return {.name = "kicks." + fit.kind + "." + part,
-          .unit = unit,
+  return {.name = "kicks." + fit.kind + "." + part.name,
+          .unit = part.unit,
           .value = value,
-          .low = value - half,
+          .low = std::max(part.least, value - half),
           .high = value + half,
           .events = fit.kicks.size(),
           .kind = "kicks",
           .recordings = {},
-          .domain = {.quantity = "speed", .unit = "m/s", .from = slowest->speed, .to = fastest->speed}};
+          .domain = {.quantity = "speed", .unit = "m/s", .from = slowest->speed, .to = fastest->speed},
+          .widest = part.widest};
 }
 
 Figure delay_of(const KickFit& fit) {
@@ -124,7 +136,8 @@ Figure delay_of(const KickFit& fit) {
   for (double& delay : delays) delay = std::abs(delay - middle);
   // the median of normal errors has 1.25 times the deviation of their mean
   const double deviation = 1.25 * kOfMedian * lab::median_of(delays) / std::sqrt(static_cast<double>(delays.size()));
-  return figure_of(fit, "delay", "s", middle, two_sided(delays.size() - 1) * std::max(deviation, 0.002));
+  return figure_of(fit, {"delay", "s", kWidestDelay, 0}, middle,
+                   two_sided(delays.size() - 1) * std::max(deviation, 0.002));
 }
 
 /// The fits of all kinds while kicks are added.
@@ -217,16 +230,16 @@ Result<KickFit> fit_kind(KickFit seen, const std::vector<std::string>& recording
   seen.model = fit_kick(seen.kicks, all, sight);
   const Vector values = parts_of(seen.model, facts.deceleration);
   const Vector around = deviations_of(resampled(groups, kKickSamples, [&](const std::vector<std::size_t>& chosen) {
-    return parts_of(fit_kick(seen.kicks, chosen, sight), facts.deceleration);
+    return parts_of(refit_kick(seen.kicks, chosen, sight, seen.model), facts.deceleration);
   }));
   const double half = two_sided(groups.size() - 1);
   for (std::size_t i = 0; i < kParts.size(); ++i)
-    seen.figures.push_back(figure_of(seen, kParts[i], kPartUnits[i], values[i], half * around[i]));
+    seen.figures.push_back(figure_of(seen, kParts[i], values[i], half * around[i]));
+  seen.figures.front().widest *= values.front();
   seen.figures.push_back(delay_of(seen));
   for (Figure& figure : seen.figures) figure.recordings = recordings;
-  seen.partial = figure_of(seen, "", "", values[4], half * around[4]);
+  seen.partial = figure_of(seen, {"", "", kWidestPartial, 0}, values[4], half * around[4]);
   seen.partial.name = "hits.partial";
-  seen.partial.low = std::max(0., seen.partial.low);
   seen.partial.high = std::min(1., seen.partial.high);
   seen.partial.recordings = recordings;
   const Scores scores = held_out_scores(seen.kicks, sight, facts.deceleration);
