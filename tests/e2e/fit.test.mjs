@@ -49,6 +49,53 @@ test("the turf of recorded games is found again, and the simulator plays on it",
   assert.deepEqual(score(played.stdout), score(same.stdout));
 });
 
+test("kicks of recorded games are found again, and those known too loosely stay as they were", async (t) => {
+  const folder = temporaryFolder(t);
+  // few robots, so that most kicks are undisturbed; full hits, as on an empty field
+  const file = join(folder, "game.mcap");
+  const models = "match,partial_hits=off";
+  const { status: played, stderr: why } = await match(
+    "--rules",
+    "spl2012:2",
+    "--seed",
+    "4",
+    "--models",
+    models,
+    "--mcap",
+    file,
+  );
+  assert.equal(played, 0, why);
+  const [out, html, csv] = [join(folder, "mine.json"), join(folder, "fit.html"), join(folder, "csv")];
+  const { status, stdout, stderr } = await fit(file, "--out", out, "--html", html, "--csv", csv, "--json");
+  assert.equal(status, 0, stderr);
+  const { figures, kicks, kept } = JSON.parse(stdout);
+  const planted = { range: 4, range_deviation: 0.22, direction: 0, direction_deviation: 0.122, delay: 0.65 };
+  for (const [name, value] of Object.entries(planted)) {
+    const { low, high } = figures[`kicks.long.${name}`];
+    const air = (high - low) / 2; // one game of a hundred lies beyond twice the interval
+    assert.ok(low - air <= value && value <= high + air, `${name}: ${value} and ${low} .. ${high}`);
+  }
+  assert.ok(kicks.long.kicks >= 15 && kicks.long.covered > 0.6 && kicks.long.crps < kicks.long.constant_error);
+  assert.ok(figures["hits.partial"].high < 0.3);
+  assert.ok(
+    kept.some((sentence) => /^kicks\.walk_forward: expected at least 15 kicks/.test(sentence)),
+    kept.join("\n"),
+  );
+  const fitted = JSON.parse(readFileSync(out, "utf8"));
+  for (const [name, { known }] of Object.entries(figures)) {
+    const entry = name.split(".").reduce((at, part) => at?.[part], fitted);
+    assert.equal(entry !== undefined, known, name);
+  }
+  const rows = readFileSync(join(csv, "kick_long.csv"), "utf8").trim().split("\r\n");
+  assert.equal(rows.length - 1, kicks.long.kicks);
+  assert.equal((await match("--models", out)).status, 0);
+
+  const { page, problems } = await open(t, pathToFileURL(html).href);
+  await page.getByRole("img", { name: "landing points of the kick long" }).waitFor();
+  await shoot(page, "fit-kicks");
+  assert.deepEqual(problems, []);
+});
+
 test("the distance of the ball is fitted to its size in images, shown, and told in a table", async (t) => {
   const folder = temporaryFolder(t);
   const sessions = [
@@ -124,7 +171,7 @@ test("wrong words and files get one sentence", async (t) => {
   const [game] = await games(folder, 0.3, 1);
   writeFileSync(join(folder, "bad.json"), '{"name": "bad"}');
   const wrong = [
-    [[game, "--only", "walking"], /^foresight-lab: --only: expected ball_distance, rolling, got 'walking'\n$/],
+    [[game, "--only", "walking"], /^foresight-lab: --only: expected ball_distance, rolling, kicks, got 'walking'\n$/],
     [[join(folder, "none")], /^foresight-lab: .*none/],
     [[game, "--truth", join(folder, "none.mcap")], /^foresight-lab: .*none\.mcap/],
     [

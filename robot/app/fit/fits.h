@@ -31,8 +31,8 @@ struct Fits {
   std::vector<std::pair<std::string, fit::Table>> tables() const;
 };
 
-/// Fits the models named in `only`, or all if it is empty. Facts that are not fitted are those of the models `base`, a name or a
-/// file: the places of the ball for a kick, and the deceleration where no rolls tell it. Returns an Error for an unknown name.
+/// Fits the models named in `only`, or all if it is empty. `base` is the name or the file of models. They give the facts that are
+/// not fitted: the places of the ball for a kick, and the deceleration if no rolls show it. Returns an Error for an unknown name.
 Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::string>& only, const std::string& base);
 
 /// Formats the fits for a terminal, or as JSON.

@@ -26,7 +26,7 @@ struct KickFit {
   std::size_t out_of_place = 0, disturbed = 0, missed = 0;
   KickModel model;
   std::vector<Figure> figures;  // range [m], range_deviation, direction [rad], direction_deviation [rad], delay [s]
-  Figure partial;               // hits.partial, as this kind tells it
+  Figure partial;               // hits.partial, by the kicks of this kind
   double slowest = 0;           // [m/s] of the kicks that count
   // on kicks held out, each fifth in turn
   double covered = 0;         // [0..1] share that lands in the region of 90 %

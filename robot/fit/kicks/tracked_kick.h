@@ -27,7 +27,7 @@ struct TrackedKick {
   double direction_deviation = 0;  // [rad]
 };
 
-/// Why a kick tells nothing of its kind.
+/// The reason why a kick says nothing about its kind.
 enum class Untold {
   out_of_place,  // the ball was not in the gate
   disturbed,     // another robot was near, the ball moved before, or the truth has a gap

@@ -32,7 +32,7 @@ struct Solution {
 };
 
 /// Returns one standard deviation of each parameter, for residuals in standard deviations, or nothing if the residuals do not
-/// tell all parameters.
+/// depend on all parameters.
 std::optional<Vector> parameter_deviations(const LeastSquares& problem, const Vector& parameters);
 
 /// Minimises the cost from `start` (Levenberg and Marquardt). A result on a bound is possible. Deterministic.
