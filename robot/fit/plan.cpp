@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "robot/core/text.h"
 #include "robot/fit/ball_distance/ball_distance.h"
@@ -17,6 +18,8 @@ constexpr double kRollingWanted = 0.05;
 constexpr double kSpreadOfRolls = 0.26;
 constexpr double kDistanceWanted = 0.03;
 constexpr std::size_t kPassesWanted = 5;
+constexpr double kKickWanted = 0.1;                          // of the range: 5 % of the speed
+constexpr std::size_t kKicksWanted = 50;                     // scripts/bench fit
 constexpr std::array kRanges{0.3, 0.5, 1.0, 2.0, 3.0, 4.5};  // [m]
 
 /// Returns the events that an interval of the wanted width takes: it shrinks with the square root of their number.
@@ -72,12 +75,36 @@ void add_distance_needs(const Evidence& evidence, std::vector<Need>& needs) {
   }
 }
 
+/// Adds a need for each kind of kick that the robots know, which is what they did so far.
+void add_kick_needs(const Evidence& evidence, const KickFacts& facts, std::vector<Need>& needs) {
+  std::vector<std::string> recordings;
+  for (KickFit& seen : seen_kicks(evidence, facts, recordings)) {
+    Need need{.figure = "kicks." + seen.kind + ".range",
+              .kind = "kicks",
+              .events = seen.kicks.size(),
+              .wanted = kKickWanted,
+              .advice = {}};
+    std::size_t enough = kKicksWanted;
+    if (const auto fit = fit_kind(std::move(seen), recordings, facts)) {
+      const Figure& range = fit->figures.front();
+      need.events = range.events;
+      need.loose = (range.high - range.low) / 2 / range.value;
+      enough = events_for(need.events, need.loose, kKickWanted);
+    }
+    need.more = enough - std::min(enough, need.events);
+    if (need.more > 0)
+      need.advice = "put the ball before its foot on an empty field, let it kick, and repeat with both feet";
+    needs.push_back(std::move(need));
+  }
+}
+
 }  // namespace
 
-std::vector<Need> plan(const Evidence& evidence) {
+std::vector<Need> plan(const Evidence& evidence, const KickFacts& facts) {
   std::vector<Need> needs;
   add_distance_needs(evidence, needs);
   needs.push_back(rolling_need(evidence));
+  add_kick_needs(evidence, facts, needs);
   return needs;
 }
 

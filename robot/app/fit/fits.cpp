@@ -31,19 +31,6 @@ nlohmann::ordered_json json_of(const fit::HeldOut& errors) {
           {"mean", errors.mean},   {"median", errors.median}, {"p95", errors.p95}, {"bias", errors.bias}};
 }
 
-fit::KickFacts kick_facts_of(const sim::Models& models) {
-  fit::KickFacts facts{.kinds = {}, .deceleration = models.ball.deceleration, .spread = models.motion.hits.spread};
-  for (int i = 0; i < models.motion.kick_count; ++i) {
-    const sim::motion::Kick& kick = models.motion.kicks[i];
-    facts.kinds.push_back({.name = kick.name,
-                           .ball_x = kick.ball_x,
-                           .ball_y = kick.ball_y,
-                           .gate_x = kick.gate_x,
-                           .gate_y = kick.gate_y});
-  }
-  return facts;
-}
-
 /// Makes a fit if it is wanted. A refusal becomes a sentence.
 template <class Make>
 auto made(const std::string& name, const std::vector<std::string>& only, Make&& make, std::vector<std::string>& kept) {
@@ -82,13 +69,29 @@ std::vector<std::pair<std::string, fit::Table>> Fits::tables() const {
   return all;
 }
 
+Result<fit::KickFacts> kick_facts(const std::string& base) {
+  const auto loaded = sim::io::load_models(base);
+  if (!loaded) return loaded.failure();
+  const sim::Models& models = *loaded;
+  fit::KickFacts facts{.kinds = {}, .deceleration = models.ball.deceleration, .spread = models.motion.hits.spread};
+  for (int i = 0; i < models.motion.kick_count; ++i) {
+    const sim::motion::Kick& kick = models.motion.kicks[i];
+    facts.kinds.push_back({.name = kick.name,
+                           .ball_x = kick.ball_x,
+                           .ball_y = kick.ball_y,
+                           .gate_x = kick.gate_x,
+                           .gate_y = kick.gate_y});
+  }
+  return facts;
+}
+
 Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::string>& only, const std::string& base) {
   const std::vector<std::string>& names = names_of_fits();
   for (const std::string& name : only)
     if (std::ranges::find(names, name) == names.end())
       return Error{"--only: expected " + joined(names, ", ") + ", got '" + printable(name, 40) + "'"};
-  const auto models = sim::io::load_models(base);
-  if (!models) return models.failure();
+  auto facts = kick_facts(base);
+  if (!facts) return facts.failure();
   Fits fits;
   fits.left_out = evidence.left_out;
   fits.ball_distance = made(
@@ -96,10 +99,9 @@ Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::strin
   fits.rolling = made(
       "rolling", only, [&] { return fit::fit_rolling(evidence); }, fits.kept);
   if (fits.rolling) fits.kept.push_back(fits.rolling->kept);
-  fit::KickFacts facts = kick_facts_of(*models);
-  if (fits.rolling) facts.deceleration = fits.rolling->deceleration.value;
+  if (fits.rolling) facts->deceleration = fits.rolling->deceleration.value;
   fits.kicks = made(
-      "kicks", only, [&] { return fit::fit_kicks(evidence, facts); }, fits.kept);
+      "kicks", only, [&] { return fit::fit_kicks(evidence, *facts); }, fits.kept);
   if (fits.kicks) fits.kept.insert(fits.kept.end(), fits.kicks->kept.begin(), fits.kicks->kept.end());
   for (const fit::Figure& figure : fits.figures())
     if (!figure.is_known())

@@ -31,6 +31,9 @@ struct Fits {
   std::vector<std::pair<std::string, fit::Table>> tables() const;
 };
 
+/// Returns the facts about kicks that are not fitted, from the models `base`, a name or a file.
+Result<fit::KickFacts> kick_facts(const std::string& base);
+
 /// Fits the models named in `only`, or all if it is empty. `base` is the name or the file of models. They give the facts that are
 /// not fitted: the places of the ball for a kick, and the deceleration if no rolls show it. Returns an Error for an unknown name.
 Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::string>& only, const std::string& base);

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "robot/app/clock_option.h"
+#include "robot/app/fit/fits.h"
 #include "robot/app/lab/commands.h"
 #include "robot/core/json_library.h"
 #include "robot/fit/plan.h"
@@ -20,6 +21,9 @@ class PlanFitCommand final : public Command {
       : Command(app.add_subcommand("plan-fit", "say what to record next, so that fit knows the robots well")) {
     options().add_option("sessions", sessions_, "what was recorded so far, as for fit")->required();
     options().add_option("--truth", truths_, "recordings of ground truth of the same games");
+    options()
+        .add_option("--models", base_, "models with the kicks of the robots: a name or a file")
+        ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
     add_clock_option(options(), max_clock_offset_);
   }
@@ -29,7 +33,9 @@ class PlanFitCommand final : public Command {
     if (!most_ns) return fail(most_ns.error());
     const auto evidence = fit::gather(sessions_, truths_, *most_ns);
     if (!evidence) return fail(evidence.error());
-    const std::vector<fit::Need> needs = fit::plan(*evidence);
+    const auto facts = kick_facts(base_);
+    if (!facts) return fail(facts.error());
+    const std::vector<fit::Need> needs = fit::plan(*evidence, *facts);
     if (json_) {
       auto all = nlohmann::ordered_json::array();
       for (const fit::Need& need : needs) all.push_back(json_of(need));
@@ -43,6 +49,7 @@ class PlanFitCommand final : public Command {
 
  private:
   std::vector<std::filesystem::path> sessions_, truths_;
+  std::string base_ = "match";
   double max_clock_offset_ = 60;  // [s]
   bool json_ = false;
 };

@@ -29,6 +29,7 @@ constexpr std::array<Part, 4> kParts{{{"range", "m", 0.3, 0},
                                       {"direction", "rad", 0.1, -4},
                                       {"direction_deviation", "rad", 0.06, 0}}};
 constexpr double kWidestDelay = 0.1, kWidestPartial = 0.2;  // [s], [probability]
+constexpr double kExactDelay = 0.0002;                      // [s] deviation of the delays of a truth without errors
 
 double range_of(double speed, double deceleration) { return speed * speed / (2 * deceleration); }
 
@@ -137,7 +138,7 @@ Figure delay_of(const KickFit& fit) {
   // the median of normal errors has 1.25 times the deviation of their mean
   const double deviation = 1.25 * kOfMedian * lab::median_of(delays) / std::sqrt(static_cast<double>(delays.size()));
   return figure_of(fit, {"delay", "s", kWidestDelay, 0}, middle,
-                   two_sided(delays.size() - 1) * std::max(deviation, 0.002));
+                   two_sided(delays.size() - 1) * std::max(deviation, kExactDelay));
 }
 
 /// The fits of all kinds while kicks are added.
@@ -250,16 +251,21 @@ Result<KickFit> fit_kind(KickFit seen, const std::vector<std::string>& recording
   return seen;
 }
 
-Result<Kicks> fit_kicks(const Evidence& evidence, const KickFacts& facts) {
+std::vector<KickFit> seen_kicks(const Evidence& evidence, const KickFacts& facts,
+                                std::vector<std::string>& recordings) {
   Collection collection(facts);
   for (const WatchedRobot& robot : evidence.robots) collection.add(robot);
-  Kicks kicks;
-  kicks.recordings = collection.names();
+  recordings = collection.names();
   // a ball that rolls three errors of the truth is told from one that lies
   const double slowest = std::sqrt(2 * facts.deceleration * 3 * greatest_deviation(evidence));
-  for (KickFit& seen : collection.fits()) {
+  for (KickFit& seen : collection.fits()) seen.slowest = slowest;
+  return std::move(collection.fits());
+}
+
+Result<Kicks> fit_kicks(const Evidence& evidence, const KickFacts& facts) {
+  Kicks kicks;
+  for (KickFit& seen : seen_kicks(evidence, facts, kicks.recordings)) {
     const std::string kind = seen.kind;
-    seen.slowest = slowest;
     auto fit = fit_kind(std::move(seen), kicks.recordings, facts);
     if (fit)
       kicks.fits.push_back(std::move(*fit));

@@ -41,6 +41,9 @@ struct Kicks {
   std::vector<std::string> kept;  // one sentence for each kind that was seen and cannot be fitted
 };
 
+/// Returns the kicks of each kind that was seen, not fitted yet. `recordings` receives the names of the recordings with a kick.
+std::vector<KickFit> seen_kicks(const Evidence& evidence, const KickFacts& facts, std::vector<std::string>& recordings);
+
 /// Fits each kind of kick that was seen often enough. The interval of a figure covers the luck of kicks. Returns an Error if no
 /// kind can be fitted.
 Result<Kicks> fit_kicks(const Evidence& evidence, const KickFacts& facts);
