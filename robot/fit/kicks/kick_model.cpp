@@ -39,8 +39,9 @@ struct Summit {
   double unlikely = INFINITY;  // minus the logarithm of the likelihood
 };
 
+/// Climbs from a start. The probability of partial hits may be fixed.
 Summit climbed(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen, const KickSight& sight,
-               const KickModel& start) {
+               const KickModel& start, bool fixes_partial = false) {
   const auto unlikely = [&](const Vector& p) {
     const KickModel model = model_of(p);
     if (!is_possible(model)) return static_cast<double>(INFINITY);
@@ -49,10 +50,10 @@ Summit climbed(const std::vector<TrackedKick>& kicks, const std::vector<std::siz
       sum -= std::log(kLeastDensity + model.density(kicks[i], sight.spread, sight.slowest));
     return sum;
   };
-  const double aside = start.partial > 0.5 ? -0.08 : 0.08;  // towards the middle of what is possible
+  const double inwards = start.partial > 0.5 ? -0.08 : 0.08, aside = fixes_partial ? 0 : inwards;
   const Vector found = least_of(unlikely, vector_of(start), {-0.1 * start.speed, 0.08, 0.05, 0.05, aside});
   Summit summit{.model = model_of(found), .unlikely = unlikely(found)};
-  if (summit.model.partial < kLeastPartial) summit.model.partial = 0;
+  if (summit.model.partial < kLeastPartial && !fixes_partial) summit.model.partial = 0;
   return summit;
 }
 
@@ -94,6 +95,23 @@ KickModel fit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std:
     if (const Summit found = climbed(kicks, chosen, sight, start); found.unlikely < best.unlikely) best = found;
   }
   return best.model;
+}
+
+PartialInterval partial_interval(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen,
+                                 const KickSight& sight, const KickModel& fitted) {
+  constexpr double kStep = 0.01, kHalfOfChiSquare = 1.92;  // of one parameter, 95 %
+  const double best = climbed(kicks, chosen, sight, fitted, true).unlikely;
+  const auto end = [&](double step) {
+    KickModel model = fitted;
+    while (model.partial + step >= 0 && model.partial + step <= 1) {
+      model.partial += step;
+      const Summit there = climbed(kicks, chosen, sight, model, true);
+      if (there.unlikely > best + kHalfOfChiSquare) return model.partial;
+      model = there.model;
+    }
+    return step < 0 ? 0. : 1.;
+  };
+  return {.low = end(-kStep), .high = end(kStep)};
 }
 
 KickModel refit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen,

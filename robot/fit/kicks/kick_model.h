@@ -31,7 +31,16 @@ struct KickSight {
 /// Fits the model to some of the kicks, which may repeat, by the greatest likelihood; at least one.
 KickModel fit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen,
                    const KickSight& sight);
-/// The same, from a model that is near already.
+/// The probabilities of a partial hit that the kicks do not contradict.
+struct PartialInterval {
+  double low = 0, high = 1;  // 95 %
+};
+
+/// Returns the interval by the profile of the likelihood: near 0 and 1 resampled kicks would all agree by chance.
+PartialInterval partial_interval(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen,
+                                 const KickSight& sight, const KickModel& fitted);
+
+/// Fits as fit_kick() does, from a model that is near already.
 KickModel refit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen,
                      const KickSight& sight, const KickModel& near);
 

@@ -239,9 +239,11 @@ Result<KickFit> fit_kind(KickFit seen, const std::vector<std::string>& recording
   seen.figures.front().widest *= values.front();
   seen.figures.push_back(delay_of(seen));
   for (Figure& figure : seen.figures) figure.recordings = recordings;
-  seen.partial = figure_of(seen, {"", "", kWidestPartial, 0}, values[4], half * around[4]);
+  seen.partial = figure_of(seen, {"", "", kWidestPartial, 0}, values[4], 0);
   seen.partial.name = "hits.partial";
-  seen.partial.high = std::min(1., seen.partial.high);
+  const PartialInterval partial = partial_interval(seen.kicks, all, sight, seen.model);
+  seen.partial.low = partial.low;
+  seen.partial.high = partial.high;
   seen.partial.recordings = recordings;
   const Scores scores = held_out_scores(seen.kicks, sight, facts.deceleration);
   const auto count = static_cast<double>(scores.kicks);
