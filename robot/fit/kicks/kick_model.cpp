@@ -29,8 +29,9 @@ KickModel model_of(const Vector& p) {
 }
 
 bool is_possible(const KickModel& model) {
-  return model.speed > 0.05 && model.speed < 8 && model.range_deviation > 0.005 && model.range_deviation < 0.6 &&
-         model.direction_deviation > 0.002 && model.direction_deviation < 1 && model.partial >= 0 && model.partial <= 1;
+  return model.speed > 0.05 && model.speed < 8 && model.range_deviation > 0.005 &&
+         model.range_deviation < kMostRangeDeviation && model.direction_deviation > 0.002 &&
+         model.direction_deviation < 1 && model.partial >= 0 && model.partial <= 1;
 }
 
 /// A summit of the likelihood.

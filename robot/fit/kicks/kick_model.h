@@ -8,6 +8,9 @@
 
 namespace robot::fit {
 
+/// Greatest possible range_deviation, as in sim/motion/model.h.
+inline constexpr double kMostRangeDeviation = 0.6;
+
 /// The parameters of one kind of kick, as sim/motion/model.h has them. A full hit rolls a normally distributed range. A partial
 /// hit gives the ball a share of the speed, all shares equally likely, and the less it gets, the more its direction deviates.
 struct KickModel {

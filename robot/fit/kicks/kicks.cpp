@@ -28,6 +28,7 @@ constexpr std::array<Part, 4> kParts{{{"range", "m", 0.3, 0},
                                       {"range_deviation", "", 0.1, 0},
                                       {"direction", "rad", 0.1, -4},
                                       {"direction_deviation", "rad", 0.06, 0}}};
+constexpr double kFewestFull = 8;                           // full hits that show a deviation
 constexpr double kWidestDelay = 0.1, kWidestPartial = 0.2;  // [s], [probability]
 constexpr double kExactDelay = 0.0002;                      // [s] deviation of the delays of a truth without errors
 
@@ -237,6 +238,9 @@ Result<KickFit> fit_kind(KickFit seen, const std::vector<std::string>& recording
   for (std::size_t i = 0; i < kParts.size(); ++i)
     seen.figures.push_back(figure_of(seen, kParts[i], values[i], half * around[i]));
   seen.figures.front().widest *= values.front();
+  // only full hits show how ranges deviate; resampled kicks without them would all agree by chance
+  if (static_cast<double>(all.size()) * (1 - seen.model.partial) < kFewestFull)
+    seen.figures[1].low = 0, seen.figures[1].high = kMostRangeDeviation;
   seen.figures.push_back(delay_of(seen));
   for (Figure& figure : seen.figures) figure.recordings = recordings;
   seen.partial = figure_of(seen, {"", "", kWidestPartial, 0}, values[4], 0);

@@ -124,6 +124,16 @@ TEST(KickFit, IntervalsCoverPlantedPartialHits) {
   for (const int count : covered) EXPECT_GE(count, 4);
 }
 
+TEST(KickFit, WithoutFullHitsTheDeviationOfTheRangeIsNotKnown) {
+  PlantedKicks planted{.kicks = 60};
+  planted.model.partial = 0.97;
+  const auto fit = fitted(planted, 21);
+  ASSERT_TRUE(fit) << fit.error();
+  EXPECT_FALSE(fit->figures[1].is_known()) << to_text(fit->figures[1]);
+  EXPECT_GE(fit->partial.high, 0.97);
+  EXPECT_LE(fit->partial.low, 0.97);
+}
+
 TEST(KickFit, TooFewKicksAreRefusedWithTheReasons) {
   KickFit seen = seen_kicks(kicked_balls({.kicks = 10}, 1));
   seen.out_of_place = 3, seen.disturbed = 4, seen.missed = 1;
