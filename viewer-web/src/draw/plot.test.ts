@@ -9,23 +9,11 @@ import {
   summaryAt,
   valueTicks,
   type Intervals,
-  type Line,
 } from "./plot";
 import { countOf } from "./timeline";
+import { line } from "./test_line";
 import { testPen } from "./test_pen";
 
-function line(values: number[], hz = 30, more: Partial<Line> = {}): Line {
-  return {
-    times: Float64Array.from(values, (_, i) => i / hz),
-    values: Float64Array.from(values),
-    length: values.length,
-    offset: 0,
-    colour: "#000",
-    dash: [],
-    axis: "m",
-    ...more,
-  };
-}
 const sine = (count: number) => Array.from({ length: count }, (_, i) => Math.sin(i / 50));
 
 test("a whole half is reduced to the columns on screen, and keeps all extremes", () => {

@@ -72,7 +72,8 @@ export const kLineStyles: LineStyle[] = [
 
 const kGap = 1.5; // [s] without a value breaks a line
 
-function firstIndex({ times, length, offset }: Line, time: number): number {
+/** Returns the index of the first value at `time` or later. */
+export function firstIndex({ times, length, offset }: Line, time: number): number {
   let [low, high] = [0, length];
   while (low < high) {
     const middle = (low + high) >>> 1;
@@ -238,20 +239,7 @@ export function drawPlot(
     hatch(pen, left!, area.top, right! - left!, area.height, colours.soft);
   }
   drawTimes(pen, area, span, count, x, colours);
-  axes.forEach((axis, i) => {
-    const single = lines.filter((line) => line.axis === axis);
-    drawAxis(
-      pen,
-      area,
-      axis,
-      ranges.get(axis)!,
-      kAxisWidth * (axes.length - i),
-      i === 0,
-      single.length === 1 ? single[0]!.colour : colours.soft,
-      single.find(({ wordOf }) => wordOf)?.wordOf ?? tickText,
-      colours,
-    );
-  });
+  drawAxes(pen, area, lines, ranges, colours);
   for (const { line, columns } of drawn) drawLine(pen, area, line, columns, ranges.get(line.axis)!);
 
   pen.setLineDash([]);
@@ -286,8 +274,32 @@ function drawTimes(
   }
 }
 
-/** Draws the ticks and the name of a vertical axis, whose labels end at `right` [px]. */
-export function drawAxis(
+/** Draws a vertical axis for each unit of the lines; the first has the grid. */
+export function drawAxes(
+  pen: Pen,
+  area: Area,
+  lines: Line[],
+  ranges: ReadonlyMap<string, Range>,
+  colours: Colours,
+): void {
+  const axes = axesOf(lines);
+  axes.forEach((axis, i) => {
+    const single = lines.filter((line) => line.axis === axis);
+    drawAxis(
+      pen,
+      area,
+      axis,
+      ranges.get(axis)!,
+      kAxisWidth * (axes.length - i),
+      i === 0,
+      single.length === 1 ? single[0]!.colour : colours.soft,
+      single.find(({ wordOf }) => wordOf)?.wordOf ?? tickText,
+      colours,
+    );
+  });
+}
+
+function drawAxis(
   pen: Pen,
   area: Area,
   name: string,

@@ -1,24 +1,11 @@
 import { expect, test } from "vitest";
-import type { Line } from "./plot";
 import { drawScatter, pairsOf, valueAt, type Pairs } from "./scatter";
+import { line } from "./test_line";
 import { testPen } from "./test_pen";
 
 const kColours = { line: "line", soft: "soft", ink: "ink", accent: "accent" } as unknown as Parameters<
   typeof drawScatter
 >[4];
-
-function line(values: number[], hz = 30, more: Partial<Line> = {}): Line {
-  return {
-    times: Float64Array.from(values, (_, i) => i / hz),
-    values: Float64Array.from(values),
-    length: values.length,
-    offset: 0,
-    colour: "#000",
-    dash: [],
-    axis: "m",
-    ...more,
-  };
-}
 
 test("a value between two messages is interpolated; beside a gap nothing is known", () => {
   const truth = line([0, 1, 2, 3], 10);

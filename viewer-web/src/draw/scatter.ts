@@ -4,8 +4,8 @@ import type { Pen } from "./field";
 import {
   areaOf,
   axesOf,
-  drawAxis,
-  kAxisWidth,
+  drawAxes,
+  firstIndex,
   rangeBetween,
   tickText,
   valueTicks,
@@ -29,14 +29,10 @@ const kDot = 3; // [px]
 const kReach = 16; // [px] from the pointer to a dot
 
 /** The index of the last value at `time` or before, or -1. */
-function indexAt({ times, length, offset }: Line, time: number): number {
-  let [low, high] = [0, length];
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (times[middle]! + offset <= time) low = middle + 1;
-    else high = middle;
-  }
-  return low - 1;
+function indexAt(line: Line, time: number): number {
+  let next = firstIndex(line, time);
+  while (next < line.length && line.times[next]! + line.offset <= time) ++next;
+  return next - 1;
 }
 
 /** As valueAt(), for the index of the last value at `time` or before. */
@@ -58,8 +54,7 @@ export const valueAt = (line: Line, time: number): number => valueBeside(line, i
 
 /** Returns the pairs of a line and the one below it, at the moments of the line within the span. */
 export function pairsOf(line: Line, over: Line, { from, to }: Span): Pairs {
-  let begin = Math.max(0, indexAt(line, from));
-  if (begin < line.length && line.times[begin]! + line.offset < from) ++begin;
+  const begin = firstIndex(line, from);
   const end = indexAt(line, to) + 1;
   const room = Math.max(0, end - begin);
   const pairs = { x: new Float64Array(room), y: new Float64Array(room), times: new Float64Array(room), length: 0 };
@@ -171,20 +166,7 @@ export function drawScatter(
   );
 
   drawBelow(pen, area, over, below, colours);
-  axes.forEach((axis, i) => {
-    const single = lines.filter((line) => line.axis === axis);
-    drawAxis(
-      pen,
-      area,
-      axis,
-      ranges.get(axis)!,
-      kAxisWidth * (axes.length - i),
-      i === 0,
-      single.length === 1 ? single[0]!.colour : colours.soft,
-      single.find(({ wordOf }) => wordOf)?.wordOf ?? tickText,
-      colours,
-    );
-  });
+  drawAxes(pen, area, lines, ranges, colours);
   if (axes.includes(over.axis)) drawEqual(pen, area, below, ranges.get(over.axis)!, colours);
 
   const leftOf = (x: number) => xOfValue(area, below, x);
