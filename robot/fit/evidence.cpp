@@ -34,13 +34,13 @@ bool overlap(const logging::Session& one, const logging::Session& other, std::ui
 }
 
 /// Returns the robot beside a truth, or the reason why it cannot be placed there.
-Result<WatchedRobot> placed(const logging::Session& session, const std::shared_ptr<const TrueGame>& game,
-                            const lab::JudgedRobot& robot) {
+Result<WatchedRobot> placed(const std::string& name, const logging::Session& session,
+                            const std::shared_ptr<const TrueGame>& game, const lab::JudgedRobot& robot) {
   if (!robot.offset) return Error{"its clock's offset to " + game->name + " is not known: " + robot.offset.error()};
   auto own = lab::own_path(game->record, robot);
   if (!own) return Error{"it is not found in " + game->name + ": " + own.error()};
   return WatchedRobot{
-      .name = "", .session = session, .game = game, .path = std::move(own->path), .clock = robot.offset->clock};
+      .name = name, .session = session, .game = game, .path = std::move(own->path), .clock = robot.offset->clock};
 }
 
 /// Returns the robots whose beliefs or motion a recording holds: "14/2".
@@ -55,6 +55,14 @@ std::vector<std::string> robots_in(const logging::Session& session) {
   return {names.begin(), names.end()};
 }
 
+/// Adds a robot, or the reason why it is left out.
+void take(const std::string& name, Result<WatchedRobot> robot, Evidence& evidence) {
+  if (robot)
+    evidence.robots.push_back(std::move(*robot));
+  else
+    evidence.left_out.push_back(name + ": " + robot.error());
+}
+
 /// Places each robot of a recording in the truth of this recording.
 void place_in_own_truth(const logging::Session& session, const std::shared_ptr<const TrueGame>& game,
                         Evidence& evidence) {
@@ -65,29 +73,25 @@ void place_in_own_truth(const logging::Session& session, const std::shared_ptr<c
     const std::string name = game->name + (robots.size() > 1 ? " " + one : "");
     lab::RobotRecord record = lab::read_robot(of_one, game->record.epoch_ns);
     if (record.empty()) continue;
-    auto robot = placed(of_one, game, {.session = 0, .record = std::move(record), .offset = lab::TruthOffset{}});
-    if (!robot) {
-      evidence.left_out.push_back(name + ": " + robot.error());
-      continue;
-    }
-    robot->name = name;
-    evidence.robots.push_back(std::move(*robot));
+    take(name, placed(name, of_one, game, {.session = 0, .record = std::move(record), .offset = lab::TruthOffset{}}),
+         evidence);
   }
 }
 
-Result<WatchedRobot> in_truth_of(const logging::Session& session, const TruthSession& truth, std::uint64_t most_ns) {
+Result<WatchedRobot> in_truth_of(const std::string& name, const logging::Session& session, const TruthSession& truth,
+                                 std::uint64_t most_ns) {
   const auto times = lab::session_times({truth.session, session}, most_ns);
   if (!times) return times.failure();
   if (times->robots.empty()) return Error{"it recorded neither the ball nor its pose"};
-  return placed(session, truth.game, times->robots.front());
+  return placed(name, session, truth.game, times->robots.front());
 }
 
-Result<WatchedRobot> in_any_truth(const logging::Session& session, const std::vector<TruthSession>& truths,
-                                  std::uint64_t most_ns) {
+Result<WatchedRobot> in_any_truth(const std::string& name, const logging::Session& session,
+                                  const std::vector<TruthSession>& truths, std::uint64_t most_ns) {
   std::string reason = "no ground truth is of its time";
   for (const TruthSession& truth : truths) {
     if (!overlap(session, truth.session, most_ns)) continue;
-    auto robot = in_truth_of(session, truth, most_ns);
+    auto robot = in_truth_of(name, session, truth, most_ns);
     if (robot) return robot;
     reason = robot.error();
   }
@@ -95,6 +99,15 @@ Result<WatchedRobot> in_any_truth(const logging::Session& session, const std::ve
 }
 
 }  // namespace
+
+double WatchedRobot::own_seconds(std::uint64_t capture_ns) const {
+  return static_cast<double>(static_cast<std::int64_t>(capture_ns - game->record.epoch_ns)) * 1e-9;
+}
+
+double WatchedRobot::true_seconds(std::uint64_t capture_ns) const {
+  const double own = own_seconds(capture_ns);
+  return own - clock.at(own);
+}
 
 Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
                         const std::vector<std::filesystem::path>& truths, std::uint64_t most_ns) {
@@ -118,13 +131,7 @@ Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
       place_in_own_truth(*session, own, evidence);
       continue;
     }
-    auto robot = in_any_truth(*session, known, most_ns);
-    if (!robot) {
-      evidence.left_out.push_back(name + ": " + robot.error());
-      continue;
-    }
-    robot->name = name;
-    evidence.robots.push_back(std::move(*robot));
+    take(name, in_any_truth(name, *session, known, most_ns), evidence);
   }
   return evidence;
 }

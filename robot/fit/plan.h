@@ -1,4 +1,4 @@
-// What to record next, so that the fits become exact.
+// The recordings that are still missing for exact fits.
 #pragma once
 
 #include <cstddef>

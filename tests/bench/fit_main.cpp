@@ -13,7 +13,6 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
@@ -52,8 +51,7 @@ void study(int repetitions) {
   for (int i = 0; i < repetitions; ++i) {
     const auto seed = static_cast<std::uint64_t>(i);
     const auto trained = planted_balls({.truth_error = kTruthError}, seed).sizes;
-    std::vector<std::size_t> all(trained.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
+    const robot::fit::Group all = robot::fit::all_of(trained.size());
     const CurveKind kinds[] = {CurveKind::pinhole, CurveKind::power_law, CurveKind::constant};
     for (std::size_t range = 0; range < 3; ++range) {
       // the truth of the test is exact, so that its error is not counted

@@ -6,6 +6,16 @@ import { readFileSync } from "node:fs";
 import { join, posix } from "node:path";
 import { filesBelow } from "./files.mjs";
 
+/** The folders of all that read recordings. */
+const kSessions = [
+  "robot/core",
+  "robot/memory",
+  "robot/logging",
+  "robot/logging/mcap",
+  "robot/logging/streams",
+  "robot/logging/sessions",
+];
+
 /**
  * The table. A folder may include itself, the folders below it, and the folders of its row. `everything` is for leaves,
  * which no other folder may include. A folder gets its row in the commit that adds its first file.
@@ -210,15 +220,7 @@ export const rows = {
   "robot/nao/guardian": ["robot/core", "robot/nao/lola"],
   "robot/nao/camera": ["robot/core", "robot/memory", "proto", "robot/nao/guardian"],
   "robot/nao/motion": ["robot/core", "proto", "robot/nao/lola", "robot/nao/model", "robot/nao/guardian"],
-  "robot/body/attached": [
-    "robot/core",
-    "robot/memory",
-    "robot/logging",
-    "robot/logging/mcap",
-    "robot/logging/streams",
-    "robot/logging/sessions",
-    "proto",
-  ],
+  "robot/body/attached": [...kSessions, "proto"],
   "robot/body/nao": [
     "robot/core",
     "robot/memory",
@@ -229,15 +231,7 @@ export const rows = {
     "robot/nao/camera",
     "robot/nao/motion",
   ],
-  "robot/body/replay": [
-    "robot/core",
-    "robot/memory",
-    "robot/logging",
-    "robot/logging/mcap",
-    "robot/logging/streams",
-    "robot/logging/sessions",
-    "proto",
-  ],
+  "robot/body/replay": [...kSessions, "proto"],
   "robot/body/sim": [
     "robot/core",
     "robot/memory",
@@ -270,46 +264,12 @@ export const rows = {
   ],
   "robot/command": [],
   "robot/fit/math": [],
-  "robot/fit": [
-    "robot/core",
-    "robot/memory",
-    "robot/logging",
-    "robot/logging/mcap",
-    "robot/logging/streams",
-    "robot/logging/sessions",
-    "robot/lab/clocks",
-    "robot/fit/math",
-    "proto",
-  ],
-  "robot/lab/clocks": [
-    "robot/core",
-    "robot/memory",
-    "robot/logging",
-    "robot/logging/mcap",
-    "robot/logging/streams",
-    "robot/logging/sessions",
-    "proto",
-  ],
-  "robot/lab/import": [
-    "robot/core",
-    "robot/fit/math",
-    "robot/memory",
-    "robot/logging",
-    "robot/logging/mcap",
-    "robot/logging/streams",
-    "robot/logging/sessions",
-    "robot/image",
-    "robot/truth/feeds",
-    "proto",
-  ],
+  "robot/fit": [...kSessions, "robot/lab/clocks", "robot/fit/math", "proto"],
+  "robot/lab/clocks": [...kSessions, "proto"],
+  "robot/lab/import": [...kSessions, "robot/fit/math", "robot/image", "robot/truth/feeds", "proto"],
   "robot/lab/mapping": ["robot/core", "robot/memory", "robot/logging/mcap", "robot/logging/streams", "proto"],
   "robot/lab/relay": [
-    "robot/core",
-    "robot/memory",
-    "robot/logging",
-    "robot/logging/mcap",
-    "robot/logging/streams",
-    "robot/logging/sessions",
+    ...kSessions,
     "robot/image",
     "robot/net",
     "robot/net/http",

@@ -113,6 +113,27 @@ std::string part_of(const fit::BallDistance& fit) {
          held_out_table(fit);
 }
 
+/// The bars of a histogram, from 0 to `most`.
+struct Bars {
+  double most;
+  int bars;
+  const char* unit;  // of the counts: "rolls"
+};
+
+/// Draws how often values lie in each bar. Values beyond the bars are left out.
+std::string histogram(const std::vector<double>& values, const Bars& bars, const std::string& about,
+                      const std::string& x_label) {
+  const double width = bars.most / bars.bars;
+  std::vector<int> counts(static_cast<std::size_t>(bars.bars));
+  for (const double value : values)
+    if (value >= 0 && value < bars.most) ++counts[static_cast<std::size_t>(value / width)];
+  Plot plot(0, bars.most, 0, 1.1 * *std::ranges::max_element(counts));
+  for (int i = 0; i < bars.bars; ++i)
+    if (const int count = counts[static_cast<std::size_t>(i)]; count > 0)
+      plot.bar("truth", i * width, (i + 1) * width, count, formatted("%d %s", count, bars.unit));
+  return plot.svg(about, x_label);
+}
+
 std::string part_of(const fit::Rolling& fit) {
   const fit::Figure& figure = fit.deceleration;
   Points rolls;
@@ -123,22 +144,14 @@ std::string part_of(const fit::Rolling& fit) {
   plot.line("fitted", {{0, figure.value}, {1.05 * figure.domain.to, figure.value}});
   std::vector<double> decelerations;
   for (const fit::Roll& roll : fit.rolls) decelerations.push_back(roll.deceleration);
-  std::ranges::sort(decelerations);
-  constexpr int kBars = 24;
-  const double most = 3 * figure.value, width = most / kBars;
-  std::vector<int> counts(kBars);
-  for (const double one : decelerations)
-    if (one >= 0 && one < most) ++counts[static_cast<std::size_t>(one / width)];
-  Plot bars(0, most, 0, 1.1 * *std::ranges::max_element(counts));
-  for (int i = 0; i < kBars; ++i)
-    if (const int count = counts[static_cast<std::size_t>(i)]; count > 0)
-      bars.bar("truth", i * width, (i + 1) * width, count, formatted("%d rolls", count));
+  const std::string bars = histogram(decelerations, {.most = 3 * figure.value, .bars = 24, .unit = "rolls"},
+                                     "free rolls by deceleration", "deceleration [m/s²]");
   return "<h2>How the turf slows the ball</h2>\n<div class=\"plots\">\n" +
          figure_of(
              plot.svg("deceleration of free rolls over speed", "speed at the begin [m/s]"),
              "Deceleration [m/s²].<span class=\"key truth\"></span>a free roll<span class=\"key line\"></span>fitted, "
              "with its 95 % band") +
-         figure_of(bars.svg("free rolls by deceleration", "deceleration [m/s²]"), "Number of free rolls.") + "</div>\n";
+         figure_of(bars, "Number of free rolls.") + "</div>\n";
 }
 
 /// Draws where the kicked balls would come to rest: ahead and to the left of the foot, mirrored for the right one.
@@ -160,17 +173,11 @@ std::string landing_plot(const fit::KickFit& kick) {
 }
 
 std::string speed_plot(const fit::KickFit& kick) {
-  double most = 0;
-  for (const fit::TrackedKick& one : kick.kicks) most = std::max(most, one.speed);
-  constexpr int kBars = 20;
-  const double width = 1.05 * most / kBars;
-  std::vector<int> counts(kBars);
-  for (const fit::TrackedKick& one : kick.kicks) ++counts[static_cast<std::size_t>(one.speed / width)];
-  Plot bars(0, 1.05 * most, 0, 1.1 * *std::ranges::max_element(counts));
-  for (int i = 0; i < kBars; ++i)
-    if (const int count = counts[static_cast<std::size_t>(i)]; count > 0)
-      bars.bar("truth", i * width, (i + 1) * width, count, formatted("%d kicks", count));
-  return figure_of(bars.svg("speeds of the kick " + escaped(kick.kind), "speed of the ball [m/s]"),
+  std::vector<double> speeds;
+  for (const fit::TrackedKick& one : kick.kicks) speeds.push_back(one.speed);
+  const double most = 1.05 * *std::ranges::max_element(speeds);
+  return figure_of(histogram(speeds, {.most = most, .bars = 20, .unit = "kicks"},
+                             "speeds of the kick " + escaped(kick.kind), "speed of the ball [m/s]"),
                    formatted("Number of kicks; a full hit of the mean range has %.2f m/s.", kick.model.speed));
 }
 

@@ -98,8 +98,10 @@ Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::strin
       "ball_distance", only, [&] { return fit::fit_ball_distance(fit::read_ball_sizes(evidence)); }, fits.kept);
   fits.rolling = made(
       "rolling", only, [&] { return fit::fit_rolling(evidence); }, fits.kept);
-  if (fits.rolling) fits.kept.push_back(fits.rolling->kept);
-  if (fits.rolling) facts->deceleration = fits.rolling->deceleration.value;
+  if (fits.rolling) {
+    fits.kept.push_back(fits.rolling->kept);
+    facts->deceleration = fits.rolling->deceleration.value;
+  }
   fits.kicks = made(
       "kicks", only, [&] { return fit::fit_kicks(evidence, *facts); }, fits.kept);
   if (fits.kicks) fits.kept.insert(fits.kept.end(), fits.kicks->kept.begin(), fits.kicks->kept.end());

@@ -1,7 +1,7 @@
 // foresight-lab fit: models of the simulator, fitted to recordings of a team's robots beside ground truth.
 #include <cstdio>
 
-#include "robot/app/clock_option.h"
+#include "robot/app/fit/evidence_options.h"
 #include "robot/app/fit/fits.h"
 #include "robot/app/lab/commands.h"
 #include "robot/core/files.h"
@@ -17,10 +17,7 @@ class FitCommand final : public Command {
  public:
   explicit FitCommand(CLI::App& app)
       : Command(app.add_subcommand("fit", "fit models to recordings of robots beside ground truth")) {
-    options()
-        .add_option("sessions", sessions_, "folders of sessions, or .mcap files; with /truth/world or beside it")
-        ->required();
-    options().add_option("--truth", truths_, "recordings of ground truth of the same games");
+    recordings_.declare(options(), "folders of sessions, or .mcap files; with /truth/world or beside it");
     options().add_option("--only", only_, "fit these alone: " + joined(names_of_fits(), ", "));
     options()
         .add_option("--models", base_, "models that keep what is not fitted: a name or a file")
@@ -29,13 +26,10 @@ class FitCommand final : public Command {
     options().add_option("--html", html_, "file for an HTML page");
     options().add_option("--csv", csv_, "folder for the observations behind each fit, as CSV");
     options().add_flag("--json", json_, "report as JSON");
-    add_clock_option(options(), max_clock_offset_);
   }
 
   int run() override {
-    const auto most_ns = clock_offset_ns(max_clock_offset_);
-    if (!most_ns) return fail(most_ns.error());
-    const auto evidence = fit::gather(sessions_, truths_, *most_ns);
+    const auto evidence = recordings_.gather();
     if (!evidence) return fail(evidence.error());
     const auto fits = fit_all(*evidence, only_, base_);
     if (!fits) return fail(fits.error());
@@ -66,11 +60,10 @@ class FitCommand final : public Command {
     return {};
   }
 
-  std::vector<fs::path> sessions_, truths_;
+  EvidenceOptions recordings_;
   std::vector<std::string> only_;
   std::string base_ = "match";
   fs::path out_, html_, csv_;
-  double max_clock_offset_ = 60;  // [s]
   bool json_ = false;
 };
 

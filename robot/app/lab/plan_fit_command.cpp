@@ -1,7 +1,7 @@
 // foresight-lab plan-fit: what a team should record next, so that foresight-lab fit knows its robots well.
 #include <cstdio>
 
-#include "robot/app/clock_option.h"
+#include "robot/app/fit/evidence_options.h"
 #include "robot/app/fit/fits.h"
 #include "robot/app/lab/commands.h"
 #include "robot/core/json_library.h"
@@ -19,19 +19,15 @@ class PlanFitCommand final : public Command {
  public:
   explicit PlanFitCommand(CLI::App& app)
       : Command(app.add_subcommand("plan-fit", "say what to record next, so that fit knows the robots well")) {
-    options().add_option("sessions", sessions_, "what was recorded so far, as for fit")->required();
-    options().add_option("--truth", truths_, "recordings of ground truth of the same games");
+    recordings_.declare(options(), "the recordings so far, as for fit");
     options()
         .add_option("--models", base_, "models with the kicks of the robots: a name or a file")
         ->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
-    add_clock_option(options(), max_clock_offset_);
   }
 
   int run() override {
-    const auto most_ns = clock_offset_ns(max_clock_offset_);
-    if (!most_ns) return fail(most_ns.error());
-    const auto evidence = fit::gather(sessions_, truths_, *most_ns);
+    const auto evidence = recordings_.gather();
     if (!evidence) return fail(evidence.error());
     const auto facts = kick_facts(base_);
     if (!facts) return fail(facts.error());
@@ -48,9 +44,8 @@ class PlanFitCommand final : public Command {
   }
 
  private:
-  std::vector<std::filesystem::path> sessions_, truths_;
+  EvidenceOptions recordings_;
   std::string base_ = "match";
-  double max_clock_offset_ = 60;  // [s]
   bool json_ = false;
 };
 

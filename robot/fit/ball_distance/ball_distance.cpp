@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <utility>
 
 #include "robot/core/text.h"
@@ -19,12 +18,6 @@ constexpr std::size_t kPassSamples = 200, kCurvePoints = 40, kParts = 5;
 constexpr std::array kEdges{0.0, 0.5, 1.0, 2.0, 3.0, 4.5, 12.0};  // [m]
 constexpr std::array<const char*, 3> kNames{"ball_distance.scale", "ball_distance.offset", "ball_distance.height"};
 constexpr std::array<const char*, 3> kUnits{"m px", "px", "m"};
-
-std::vector<std::size_t> all_of(const std::vector<BallSize>& sizes) {
-  std::vector<std::size_t> all(sizes.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
-}
 
 Result<void> check(const BallSizes& seen, const std::vector<Group>& passes) {
   if (seen.sizes.empty())
@@ -49,17 +42,34 @@ std::vector<BallSize> shifted(std::vector<BallSize> sizes, std::size_t recording
   return sizes;
 }
 
-/// Returns one standard deviation of each value that `values_of` makes from a fit: by the luck of passes, and by the clocks.
-Vector deviations(const BallSizes& seen, const std::vector<Vector>& samples, const Curve& fitted,
-                  const std::function<Vector(const Vector& parameters)>& values_of) {
-  std::vector<Vector> values;
-  for (const Vector& sample : samples) values.push_back(values_of(sample));
-  Vector deviations = deviations_of(values);
-  const Vector here = values_of(fitted.parameters);
+/// The parameters of other fits, which show how uncertain a fit is.
+struct OtherFits {
+  std::vector<Vector> by_luck;    // of resampled passes
+  std::vector<Vector> by_clocks;  // with the clock of each recording off by one standard deviation
+};
+
+OtherFits other_fits(const BallSizes& seen, const std::vector<Group>& passes) {
+  OtherFits others;
+  others.by_luck = resampled(passes, kPassSamples, [&](const std::vector<std::size_t>& chosen) {
+    return fit_curve(CurveKind::pinhole, seen.sizes, chosen).parameters;
+  });
   for (std::size_t i = 0; i < seen.recordings.size(); ++i) {
     if (seen.clock_deviation[i] <= 0) continue;
     const auto moved = shifted(seen.sizes, i, seen.clock_deviation[i]);
-    const Vector there = values_of(fit_curve(CurveKind::pinhole, moved, all_of(moved)).parameters);
+    others.by_clocks.push_back(fit_curve(CurveKind::pinhole, moved, all_of(moved.size())).parameters);
+  }
+  return others;
+}
+
+/// Returns one standard deviation of each value that `values_of` makes from the parameters of a fit.
+Vector deviations(const Curve& fitted, const OtherFits& others,
+                  const std::function<Vector(const Vector& parameters)>& values_of) {
+  std::vector<Vector> values;
+  for (const Vector& parameters : others.by_luck) values.push_back(values_of(parameters));
+  Vector deviations = deviations_of(values);
+  const Vector here = values_of(fitted.parameters);
+  for (const Vector& parameters : others.by_clocks) {
+    const Vector there = values_of(parameters);
     for (std::size_t k = 0; k < here.size(); ++k) deviations[k] = std::hypot(deviations[k], there[k] - here[k]);
   }
   return deviations;
@@ -126,7 +136,7 @@ void judge(const std::vector<Group>& passes, BallDistance& fit) {
   const std::vector<BallSize>& sizes = fit.seen.sizes;
   const std::vector<std::size_t> parts = parts_of(fit.seen, passes);
   fit.parts = fit.seen.recordings.size() >= 2 ? formatted("each of %zu recordings", fit.seen.recordings.size())
-                                              : formatted("each fifth of the passes");
+                                              : std::string("each fifth of the passes");
   for (const CurveKind kind : {CurveKind::pinhole, CurveKind::power_law, CurveKind::constant})
     add_errors(std::string(name_of(kind)), sizes, held_out_distances(kind, sizes, parts), fit.held_out);
   std::vector<double> believed;
@@ -134,7 +144,7 @@ void judge(const std::vector<Group>& passes, BallDistance& fit) {
   add_errors("the robot's own", sizes, believed, fit.held_out);
 }
 
-void draw_curve(const std::vector<Vector>& samples, std::size_t freedom, BallDistance& fit) {
+void draw_curve(const OtherFits& others, std::size_t freedom, BallDistance& fit) {
   for (std::size_t i = 0; i < kCurvePoints; ++i) {
     const double share = static_cast<double>(i) / (kCurvePoints - 1);
     fit.curve.push_back({.radius = fit.least_radius * std::pow(fit.most_radius / fit.least_radius, share)});
@@ -146,7 +156,7 @@ void draw_curve(const std::vector<Vector>& samples, std::size_t freedom, BallDis
     return there;
   };
   const Vector there = distances(fit.pinhole.parameters);
-  const Vector around = deviations(fit.seen, samples, fit.pinhole, distances);
+  const Vector around = deviations(fit.pinhole, others, distances);
   for (std::size_t i = 0; i < fit.curve.size(); ++i) {
     const double half = two_sided(freedom) * around[i];
     fit.curve[i].distance = there[i];
@@ -179,14 +189,12 @@ Result<BallDistance> fit_ball_distance(BallSizes seen) {
   const auto [smallest, largest] = std::ranges::minmax_element(sizes, {}, &BallSize::radius);
   const auto [nearest, farthest] = std::ranges::minmax_element(sizes, {}, &BallSize::distance);
   fit.least_radius = smallest->radius, fit.most_radius = largest->radius;
-  fit.pinhole = fit_curve(CurveKind::pinhole, sizes, all_of(sizes));
-  fit.power_law = fit_curve(CurveKind::power_law, sizes, all_of(sizes));
+  fit.pinhole = fit_curve(CurveKind::pinhole, sizes, all_of(sizes.size()));
+  fit.power_law = fit_curve(CurveKind::power_law, sizes, all_of(sizes.size()));
 
-  const std::vector<Vector> samples = resampled(passes, kPassSamples, [&](const std::vector<std::size_t>& chosen) {
-    return fit_curve(CurveKind::pinhole, sizes, chosen).parameters;
-  });
+  const OtherFits others = other_fits(fit.seen, passes);
   const auto same = [](const Vector& parameters) { return parameters; };
-  const Vector around = deviations(fit.seen, samples, fit.pinhole, same);
+  const Vector around = deviations(fit.pinhole, others, same);
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     const double value = fit.pinhole.parameters[i], half = two_sided(passes.size() - 1) * around[i];
     fit.figures.push_back(
@@ -200,7 +208,7 @@ Result<BallDistance> fit_ball_distance(BallSizes seen) {
          .recordings = fit.seen.recordings,
          .domain = {.quantity = "true distance", .unit = "m", .from = nearest->distance, .to = farthest->distance}});
   }
-  draw_curve(samples, passes.size() - 1, fit);
+  draw_curve(others, passes.size() - 1, fit);
   judge(passes, fit);
   return fit;
 }

@@ -47,8 +47,7 @@ void read_robot(const WatchedRobot& robot, std::size_t recording, BallSizes& fou
   const double placed = std::numbers::sqrt2 * truth.ball_deviation;
   const auto add = [&](const foresight::Vision& vision, std::uint64_t capture_ns) {
     if (!vision.has_ball() || vision.ball().radius() == 0) return;
-    const double theirs = static_cast<double>(static_cast<std::int64_t>(capture_ns - truth.epoch_ns)) * 1e-9;
-    const double at = theirs - robot.clock.at(theirs);
+    const double at = robot.true_seconds(capture_ns);
     const auto radius = scaled_radius(vision);
     const auto moment = motion.at(at);
     if (!radius) {
@@ -58,13 +57,14 @@ void read_robot(const WatchedRobot& robot, std::size_t recording, BallSizes& fou
     } else if (!moment) {
       ++found.without_truth;
     } else {
-      found.sizes.push_back({.recording = recording,
-                             .at = at,
-                             .radius = *radius,
-                             .distance = moment->distance,
-                             .deviation = std::hypot(placed, moment->rate * robot.clock.deviation_at(theirs)),
-                             .rate = moment->rate,
-                             .believed = vision.ball().detection().distance()});
+      found.sizes.push_back(
+          {.recording = recording,
+           .at = at,
+           .radius = *radius,
+           .distance = moment->distance,
+           .deviation = std::hypot(placed, moment->rate * robot.clock.deviation_at(robot.own_seconds(capture_ns))),
+           .rate = moment->rate,
+           .believed = vision.ball().detection().distance()});
     }
   };
   logging::read_each<foresight::Vision>(robot.session, "/" + robot.session.info.robot + "/vision", add);

@@ -11,27 +11,12 @@ namespace {
 
 constexpr double kCommanded = 2;  // [s] of a kick whose end was not recorded
 
-/// Times of the robot as those of the truth.
-class TruthClock {
- public:
-  explicit TruthClock(const WatchedRobot& robot) : robot_(robot) {}
-  double operator()(std::uint64_t capture_ns) const {
-    const double theirs =
-        static_cast<double>(static_cast<std::int64_t>(capture_ns - robot_.game->record.epoch_ns)) * 1e-9;
-    return theirs - robot_.clock.at(theirs);
-  }
-
- private:
-  const WatchedRobot& robot_;
-};
-
 std::vector<KickRun> commanded(const WatchedRobot& robot) {
-  const TruthClock clock(robot);
   std::vector<KickRun> runs;
   double before = -kCommanded;  // time of the last command to kick
   const auto add = [&](const foresight::MotionCommand& command, std::uint64_t capture_ns) {
     if (!command.has_kick()) return;
-    const double at = clock(capture_ns);
+    const double at = robot.true_seconds(capture_ns);
     const foresight::Kick& kick = command.kick();
     const bool left = kick.leg() != foresight::Kick::LEG_RIGHT;
     if (at > before + kCommanded / 2 || runs.back().kind != kick.type() || runs.back().left != left)
@@ -45,12 +30,11 @@ std::vector<KickRun> commanded(const WatchedRobot& robot) {
 
 /// Returns the runs in the motion status. The foot is that of the last command at their begin.
 std::vector<KickRun> reported(const WatchedRobot& robot, const std::vector<KickRun>& commands) {
-  const TruthClock clock(robot);
   std::vector<KickRun> runs;
   std::string running;
   double before = 0;
   const auto add = [&](const foresight::MotionStatus& status, std::uint64_t capture_ns) {
-    const double at = clock(capture_ns);
+    const double at = robot.true_seconds(capture_ns);
     if (status.running() != running && !status.running().empty())  // it began between two messages
       runs.push_back({.kind = status.running(), .left = true, .begin = (before + at) / 2, .end = at});
     if (!status.running().empty()) runs.back().end = at;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <utility>
 
@@ -73,7 +72,7 @@ struct Scores {
   double crps = 0, constant = 0;  // [m] sums
 };
 
-/// Adds the scores of one kick. `others` are the kicks that the model was fitted to.
+/// Adds the scores of one kick. `constant` [m] is the landing distance that a constant says.
 void score(const KickModel& model, const KickSight& sight, const TrackedKick& kick, double deceleration,
            double constant, Scores& scores) {
   Drawn drawn(model, sight);
@@ -225,16 +224,14 @@ Result<KickFit> fit_kind(KickFit seen, const std::vector<std::string>& recording
                   "disturbed, %zu missed)",
                   kFewestKicks, seen.kicks.size(), seen.out_of_place, seen.disturbed, seen.missed)};
   const KickSight sight{.spread = facts.spread, .slowest = seen.slowest};
-  std::vector<std::size_t> all(seen.kicks.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  std::vector<Group> groups;
-  for (const std::size_t i : all) groups.push_back({i});
+  const Group all = all_of(seen.kicks.size());
   seen.model = fit_kick(seen.kicks, all, sight);
   const Vector values = parts_of(seen.model, facts.deceleration);
-  const Vector around = deviations_of(resampled(groups, kKickSamples, [&](const std::vector<std::size_t>& chosen) {
-    return parts_of(refit_kick(seen.kicks, chosen, sight, seen.model), facts.deceleration);
-  }));
-  const double half = two_sided(groups.size() - 1);
+  const Vector around =
+      deviations_of(resampled(single_groups(all.size()), kKickSamples, [&](const std::vector<std::size_t>& chosen) {
+        return parts_of(refit_kick(seen.kicks, chosen, sight, seen.model), facts.deceleration);
+      }));
+  const double half = two_sided(all.size() - 1);
   for (std::size_t i = 0; i < kParts.size(); ++i)
     seen.figures.push_back(figure_of(seen, kParts[i], values[i], half * around[i]));
   seen.figures.front().widest *= values.front();

@@ -22,7 +22,7 @@ constexpr double kLongestGap = 0.2;  // [s] between two images
 constexpr std::size_t kFewest = 12;  // images
 constexpr double kFastest = 8;       // [m/s]
 
-/// Returns the place of a robot at a moment, or nothing.
+/// Returns the distance [m] of a robot to the ball, infinite where the truth does not have the robot.
 double distance_to(const lab::Path& robot, const lab::PlaceAt& ball) {
   const auto place = lab::place_at(robot, ball.at);
   return place ? std::hypot(place->x - ball.x, place->y - ball.y) : INFINITY;

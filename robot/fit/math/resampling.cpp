@@ -2,9 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace robot::fit {
+
+Group all_of(std::size_t count) {
+  Group all(count);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+std::vector<Group> single_groups(std::size_t count) {
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < count; ++i) groups.push_back({i});
+  return groups;
+}
 
 std::vector<Vector> resampled(const std::vector<Group>& groups, std::size_t count, const Estimate& estimate) {
   std::mt19937_64 random(1);  // its numbers are the same everywhere

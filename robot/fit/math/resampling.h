@@ -16,6 +16,11 @@ inline constexpr double kOfMedian = 1.4826;
 /// groups are resampled.
 using Group = std::vector<std::size_t>;
 
+/// Returns the indices 0 .. count - 1: all observations.
+Group all_of(std::size_t count);
+/// Returns a group for each observation: none share their luck.
+std::vector<Group> single_groups(std::size_t count);
+
 /// Returns the parameters that fit the observations; some may be there several times.
 using Estimate = std::function<Vector(const std::vector<std::size_t>& observations)>;
 

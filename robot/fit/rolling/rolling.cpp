@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "robot/core/text.h"
 #include "robot/fit/math/resampling.h"
@@ -47,15 +46,12 @@ double deceleration_of(const std::vector<Roll>& rolls, const std::vector<std::si
 }
 
 Figure figure_of(const Rolling& fit) {
-  std::vector<Group> groups;
-  std::vector<std::size_t> all(fit.rolls.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  for (const std::size_t i : all) groups.push_back({i});
-  const auto samples = resampled(groups, kRollSamples, [&](const std::vector<std::size_t>& chosen) -> Vector {
-    return {deceleration_of(fit.rolls, chosen, fit.spread)};
-  });
-  const double value = deceleration_of(fit.rolls, all, fit.spread);
-  const double half = two_sided(groups.size() - 1) * deviations_of(samples)[0];
+  const auto samples =
+      resampled(single_groups(fit.rolls.size()), kRollSamples, [&](const std::vector<std::size_t>& chosen) -> Vector {
+        return {deceleration_of(fit.rolls, chosen, fit.spread)};
+      });
+  const double value = deceleration_of(fit.rolls, all_of(fit.rolls.size()), fit.spread);
+  const double half = two_sided(fit.rolls.size() - 1) * deviations_of(samples)[0];
   const auto slowest = std::ranges::min_element(fit.rolls, {}, &Roll::end_speed);
   const auto fastest = std::ranges::max_element(fit.rolls, {}, &Roll::speed);
   return {.name = "ball.deceleration",

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "tests/support/planted_balls.h"
 
@@ -12,17 +11,11 @@ namespace {
 
 using tests::planted_balls;
 
-std::vector<std::size_t> all_of(const std::vector<BallSize>& sizes) {
-  std::vector<std::size_t> all(sizes.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
-}
-
 TEST(Curve, ThePinholeFindsTheCamera) {
   std::vector<BallSize> sizes;
   for (double distance = 0.2; distance < 4; distance += 0.02)
     sizes.push_back({.radius = 0.7 + 24.2 / std::hypot(distance, 0.41), .distance = distance, .deviation = 0.001});
-  const Curve curve = fit_curve(CurveKind::pinhole, sizes, all_of(sizes));
+  const Curve curve = fit_curve(CurveKind::pinhole, sizes, all_of(sizes.size()));
   EXPECT_NEAR(curve.parameters[0], 24.2, 0.01);
   EXPECT_NEAR(curve.parameters[1], 0.7, 0.01);
   EXPECT_NEAR(curve.parameters[2], 0.41, 0.001);
@@ -39,7 +32,7 @@ TEST(Curve, ThePowerLawOfTheThesisIsFoundAgain) {
   std::vector<BallSize> sizes;
   for (double radius = 4; radius < 30; ++radius)
     sizes.push_back({.radius = radius, .distance = 21.66 * std::pow(radius, -1.28)});
-  const Curve curve = fit_curve(CurveKind::power_law, sizes, all_of(sizes));
+  const Curve curve = fit_curve(CurveKind::power_law, sizes, all_of(sizes.size()));
   EXPECT_NEAR(curve.parameters[0], 21.66, 1e-6);
   EXPECT_NEAR(curve.parameters[1], -1.28, 1e-9);
   EXPECT_NEAR(curve.distance(10), 21.66 * std::pow(10, -1.28), 1e-9);
@@ -47,15 +40,16 @@ TEST(Curve, ThePowerLawOfTheThesisIsFoundAgain) {
 
 TEST(Curve, TheConstantIsTheMedian) {
   const std::vector<BallSize> sizes{{.distance = 1}, {.distance = 2}, {.distance = 9}};
-  EXPECT_EQ(fit_curve(CurveKind::constant, sizes, all_of(sizes)).distance(7), 2);
+  EXPECT_EQ(fit_curve(CurveKind::constant, sizes, all_of(sizes.size())).distance(7), 2);
 }
 
 TEST(Curve, OccludedBallsHardlyMoveThePinhole) {
   const auto sizes = planted_balls({.occluded = 0.1, .passes = 100}, 3).sizes;
   const auto clean = planted_balls({.occluded = 0, .passes = 100}, 3).sizes;
   for (const double radius : {8., 15., 30.}) {
-    const double moved = fit_curve(CurveKind::pinhole, sizes, all_of(sizes)).distance(radius);
-    EXPECT_NEAR(moved, fit_curve(CurveKind::pinhole, clean, all_of(clean)).distance(radius), 0.06 * moved) << radius;
+    const double moved = fit_curve(CurveKind::pinhole, sizes, all_of(sizes.size())).distance(radius);
+    EXPECT_NEAR(moved, fit_curve(CurveKind::pinhole, clean, all_of(clean.size())).distance(radius), 0.06 * moved)
+        << radius;
   }
 }
 
