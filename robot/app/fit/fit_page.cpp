@@ -96,9 +96,9 @@ std::string held_out_table(const fit::BallDistance& fit) {
     const fit::HeldOut& all = bins.front();
     text += "<tr><td>" + escaped(all.curve) + "</td>";
     for (const fit::HeldOut& bin : bins)
-      text += formatted("<td title=\"%zu images\">%.1f</td>", bin.images, 100 * bin.mean);
-    text +=
-        formatted("<td>%.1f</td><td>%.1f</td><td>%+.1f</td></tr>\n", 100 * all.median, 100 * all.p95, 100 * all.bias);
+      text += formatted("<td title=\"%zu images\">%.1f</td>", bin.errors.samples, 100 * bin.errors.mean);
+    text += formatted("<td>%.1f</td><td>%.1f</td><td>%+.1f</td></tr>\n", 100 * all.errors.median, 100 * all.errors.p95,
+                      100 * all.bias);
   }
   return text + "</table></div>\n";
 }

@@ -26,9 +26,10 @@ nlohmann::ordered_json json_of(const fit::Figure& figure) {
             {"to", figure.domain.to}}}};
 }
 
-nlohmann::ordered_json json_of(const fit::HeldOut& errors) {
-  return {{"curve", errors.curve}, {"from", errors.from},     {"to", errors.to},   {"images", errors.images},
-          {"mean", errors.mean},   {"median", errors.median}, {"p95", errors.p95}, {"bias", errors.bias}};
+nlohmann::ordered_json json_of(const fit::HeldOut& held_out) {
+  const lab::ErrorFigures& errors = held_out.errors;
+  return {{"curve", held_out.curve}, {"from", held_out.from},   {"to", held_out.to}, {"images", errors.samples},
+          {"mean", errors.mean},     {"median", errors.median}, {"p95", errors.p95}, {"bias", held_out.bias}};
 }
 
 /// Makes a fit if it is wanted. A refusal becomes a sentence.

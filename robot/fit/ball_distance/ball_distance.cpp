@@ -77,23 +77,15 @@ Vector deviations(const Curve& fitted, const OtherFits& others,
 
 HeldOut errors_between(const std::string& curve, double from, double to, const std::vector<BallSize>& sizes,
                        const std::vector<double>& distances) {
-  HeldOut errors{.curve = curve, .from = from, .to = to};
-  std::vector<double> sorted;
+  double sum = 0;
+  std::vector<double> errors;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     if (sizes[i].distance < from || sizes[i].distance >= to) continue;
-    const double error = distances[i] - sizes[i].distance;
-    errors.bias += error;
-    errors.mean += std::abs(error);
-    sorted.push_back(std::abs(error));
+    sum += distances[i] - sizes[i].distance;
+    errors.push_back(std::abs(distances[i] - sizes[i].distance));
   }
-  errors.images = sorted.size();
-  if (sorted.empty()) return errors;
-  std::ranges::sort(sorted);
-  errors.bias /= static_cast<double>(sorted.size());
-  errors.mean /= static_cast<double>(sorted.size());
-  errors.median = sorted[(sorted.size() - 1) / 2];
-  errors.p95 = sorted[(sorted.size() - 1) * 95 / 100];
-  return errors;
+  const double bias = errors.empty() ? 0 : sum / static_cast<double>(errors.size());
+  return {.curve = curve, .from = from, .to = to, .errors = lab::figures_of(std::move(errors)), .bias = bias};
 }
 
 void add_errors(const std::string& curve, const std::vector<BallSize>& sizes, const std::vector<double>& distances,
@@ -101,7 +93,7 @@ void add_errors(const std::string& curve, const std::vector<BallSize>& sizes, co
   into.push_back(errors_between(curve, 0, kEdges.back(), sizes, distances));
   into.back().is_whole = true;
   for (std::size_t i = 0; i + 1 < kEdges.size(); ++i)
-    if (const HeldOut bin = errors_between(curve, kEdges[i], kEdges[i + 1], sizes, distances); bin.images > 0)
+    if (const HeldOut bin = errors_between(curve, kEdges[i], kEdges[i + 1], sizes, distances); bin.errors.samples > 0)
       into.push_back(bin);
 }
 
@@ -169,8 +161,8 @@ void draw_curve(const OtherFits& others, std::size_t freedom, BallDistance& fit)
 std::string line_of(const std::vector<HeldOut>& bins) {
   const HeldOut& all = bins.front();
   std::string text = formatted("%-16s", all.curve.c_str());
-  for (const HeldOut& bin : bins) text += formatted(" %10.1f", 100 * bin.mean);
-  return text + formatted(" %8.1f %6.1f %+6.1f\n", 100 * all.median, 100 * all.p95, 100 * all.bias);
+  for (const HeldOut& bin : bins) text += formatted(" %10.1f", 100 * bin.errors.mean);
+  return text + formatted(" %8.1f %6.1f %+6.1f\n", 100 * all.errors.median, 100 * all.errors.p95, 100 * all.bias);
 }
 
 }  // namespace

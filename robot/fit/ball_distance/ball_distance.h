@@ -8,17 +8,17 @@
 #include "robot/core/result.h"
 #include "robot/fit/ball_distance/curve.h"
 #include "robot/fit/figure.h"
+#include "robot/lab/clocks/belief_error.h"
 
 namespace robot::fit {
 
 /// The errors of a curve on images that it was not fitted to.
 struct HeldOut {
-  std::string curve;        // "pinhole", or "the robot's own"
-  double from = 0, to = 0;  // [m] true distance
-  bool is_whole = false;    // all distances
-  std::size_t images = 0;
-  double mean = 0, median = 0, p95 = 0;  // [m] of the absolute error
-  double bias = 0;                       // [m] mean error, > 0: too far
+  std::string curve;         // "pinhole", or "the robot's own"
+  double from = 0, to = 0;   // [m] true distance
+  bool is_whole = false;     // all distances
+  lab::ErrorFigures errors;  // of the absolute error; a sample is an image
+  double bias = 0;           // [m] mean error, > 0: too far
 };
 
 /// The fitted curve at one radius.

@@ -14,7 +14,7 @@ using tests::planted_balls;
 /// Returns the mean error over all distances [m].
 double mean_error(const BallDistance& fit, const std::string& curve) {
   for (const HeldOut& errors : fit.held_out)
-    if (errors.is_whole && errors.curve == curve) return errors.mean;
+    if (errors.is_whole && errors.curve == curve) return errors.errors.mean;
   ADD_FAILURE() << "no errors of " << curve;
   return 0;
 }
