@@ -404,6 +404,8 @@ test("a number over another one: belief against truth, and a dot leads to its mo
   );
   await page.keyboard.press("Space");
   await stands(page);
+  const lines = page.getByRole("list", { name: "Lines" });
+  assert.equal(await lines.getByText("no value yet").count(), 0, "a pause does not read the lines anew");
   await shoot(page, "plot-over");
 
   // a press beside all dots goes nowhere; one on a dot goes to the moment of its message
