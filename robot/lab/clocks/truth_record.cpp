@@ -66,7 +66,8 @@ class TruthRecorder {
         add_robot(robot, {.at = at,
                           .x = robot.x(),
                           .y = robot.y(),
-                          .heading = robot.has_heading() ? static_cast<double>(robot.heading()) : NAN});
+                          .heading = robot.has_heading() ? static_cast<double>(robot.heading()) : NAN,
+                          .fallen = robot.has_fallen() ? std::optional(robot.fallen()) : std::nullopt});
   }
 
   TruthRecord finished() && {
@@ -126,7 +127,8 @@ std::optional<PlaceAt> place_at(const Path& path, double at) {
   return PlaceAt{.at = at,
                  .x = before.x + part * (after.x - before.x),
                  .y = before.y + part * (after.y - before.y),
-                 .heading = part < 0.5 ? before.heading : after.heading};
+                 .heading = part < 0.5 ? before.heading : after.heading,
+                 .fallen = part < 0.5 ? before.fallen : after.fallen};
 }
 
 SmoothCurve curve_of(const Path& path, double PlaceAt::*coordinate) {

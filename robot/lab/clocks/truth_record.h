@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,10 @@ namespace robot::lab {
 
 /// A place on the field at one moment.
 struct PlaceAt {
-  double at = 0;         // [s] since the record's epoch
-  double x = 0, y = 0;   // [m, field]
-  double heading = NAN;  // [rad, field] of a robot; NaN where the truth has none
+  double at = 0;                    // [s] since the record's epoch
+  double x = 0, y = 0;              // [m, field]
+  double heading = NAN;             // [rad, field] of a robot; NaN where the truth has none
+  std::optional<bool> fallen = {};  // of a robot; absent where the truth does not judge it
 };
 
 /// The path of one robot, or of the ball.
@@ -41,7 +43,8 @@ struct TruthRecord {
 /// Returns the ground truth of a session, empty without one. Leaves out damaged messages and places that are not finite.
 TruthRecord read_truth(const logging::Session& session);
 
-/// Returns the interpolated place at a moment [s] with the nearer heading, or nothing within a pause of more than SmoothCurve::kLongestGap.
+/// Returns the interpolated place at a moment [s] or nothing within a pause of more than SmoothCurve::kLongestGap.
+/// Heading and fall are those of the nearer place.
 std::optional<PlaceAt> place_at(const Path& path, double at);
 
 /// Returns the coordinate of a path as a smooth curve.
