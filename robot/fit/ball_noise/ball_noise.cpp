@@ -8,6 +8,7 @@
 
 #include "robot/core/text.h"
 #include "robot/fit/ball_noise/image_noise.h"
+#include "robot/fit/ball_noise/profile.h"
 #include "robot/lab/clocks/belief_error.h"
 
 namespace robot::fit {
@@ -103,17 +104,17 @@ std::optional<Figure> bias_figure(const char* name, const char* unit, const Imag
       errors.push_back(error);
       nearest = std::min(nearest, fit.errors[i].distance), farthest = std::max(farthest, fit.errors[i].distance);
     }
-    if (!errors.empty()) of_passes.push_back(lab::median_of(std::move(errors)));
+    if (!errors.empty()) of_passes.push_back(middle_of(std::move(errors)));
   }
   if (of_passes.size() < 8) return std::nullopt;
   const auto samples = resampled(single_groups(of_passes.size()), 200, [&](const std::vector<std::size_t>& chosen) {
     std::vector<double> values;
     for (const std::size_t i : chosen) values.push_back(of_passes[i]);
-    return Vector{lab::median_of(std::move(values))};
+    return Vector{middle_of(std::move(values))};
   });
   const double half = two_sided(of_passes.size() - 1) * deviations_of(samples)[0];
   const std::size_t passes = of_passes.size();
-  const double value = lab::median_of(std::move(of_passes));
+  const double value = middle_of(std::move(of_passes));
   return Figure{.name = name,
                 .unit = unit,
                 .value = value,

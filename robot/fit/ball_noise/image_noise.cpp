@@ -38,9 +38,9 @@ double squared_of(double value) { return value * value; }
 
 /// Returns one robust standard deviation of the values around their median.
 double robust_deviation(std::vector<double> values) {
-  const double middle = lab::median_of(values);
+  const double middle = middle_of(values);
   for (double& value : values) value = std::abs(value - middle);
-  return kOfMedian * lab::median_of(std::move(values));
+  return kOfMedian * middle_of(std::move(values));
 }
 
 /// Returns the errors of a percept; those that are not usable are NaN.
@@ -116,8 +116,8 @@ void find_biases(std::size_t recordings, ImageNoiseFit& fit) {
     ++fit.biases[error.recording].images;
   }
   for (std::size_t i = 0; i < recordings; ++i) {
-    fit.biases[i].elevation = lab::median_of(std::move(elevations[i]));
-    fit.biases[i].bearing = lab::median_of(std::move(bearings[i]));
+    fit.biases[i].elevation = middle_of(std::move(elevations[i]));
+    fit.biases[i].bearing = middle_of(std::move(bearings[i]));
   }
 }
 
@@ -254,7 +254,8 @@ ImageFacts image_facts(const sim::Models& base) {
   const sim::perception::Model& model = base.perception;
   return {.height = double(model.camera.height) - double(base.ball.radius),
           .pixels = double(model.noise.pixels) * double(model.camera.pixel_angle),
-          .far_range = model.ball.far_range};
+          .far_range = model.ball.far_range,
+          .deceleration = base.ball.deceleration};
 }
 
 double elevation_at(double distance, double height) { return std::atan2(height, distance); }

@@ -13,9 +13,10 @@ namespace robot::fit {
 
 /// Facts of the models that are not fitted.
 struct ImageFacts {
-  double height = 0;     // [m] of the camera above the middle of the ball
-  double pixels = 0;     // [rad] error by the pixels, on each axis
-  double far_range = 0;  // [m] of the detection; percepts at twice that are dropped
+  double height = 0;        // [m] of the camera above the middle of the ball
+  double pixels = 0;        // [rad] error by the pixels, on each axis
+  double far_range = 0;     // [m] of the detection; percepts at twice that are dropped
+  double deceleration = 0;  // [m/s²] of a rolling ball
 };
 ImageFacts image_facts(const sim::Models& base);
 

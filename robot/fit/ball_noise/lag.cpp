@@ -43,9 +43,9 @@ double elevation_error(const BallPlace& place, double height) {
 
 /// Returns the median of some values, and the robust standard deviation around it.
 std::array<double, 2> middle_and_deviation(std::vector<double> values) {
-  const double middle = lab::median_of(values);
+  const double middle = middle_of(values);
   for (double& value : values) value = std::abs(value - middle);
-  return {middle, kOfMedian * lab::median_of(std::move(values))};
+  return {middle, kOfMedian * middle_of(std::move(values))};
 }
 
 /// Returns the errors of each recording. One with too few balls that lie has no bias and the usual noise.
@@ -123,8 +123,10 @@ double cauchy_cost(double deviations) {
 }
 
 /// Returns the cost of a lag for one image: the ball is compared with its place at that time before.
-double cost_of(const LagImage& image, const BallPlace& place, double height, double lag) {
-  const double ahead = place.distance - lag * place.away, aside = -lag * place.across;
+double cost_of(const LagImage& image, const BallPlace& place, const ImageFacts& facts, double lag) {
+  // before, it was faster
+  const double height = facts.height, seconds = lag * (1 + facts.deceleration * lag / (2 * place.speed()));
+  const double ahead = place.distance - seconds * place.away, aside = -seconds * place.across;
   double cost = 0;
   if (!std::isnan(image.bearing)) cost += cauchy_cost((image.bearing - std::atan2(aside, ahead)) / image.of_bearing);
   if (image.has_elevation) {
@@ -136,7 +138,7 @@ double cost_of(const LagImage& image, const BallPlace& place, double height, dou
 
 /// Returns the profile of the lag over these passes.
 Profile lag_profile(const LagFit& fit, const std::vector<BallPlace>& places, const std::vector<std::size_t>& passes,
-                    double height) {
+                    const ImageFacts& facts) {
   const std::size_t stride = 1 + fit.images.size() / kMostLagImages;
   Profile profile(kLagSteps, lag_at);
   std::size_t seen = 0;
@@ -145,19 +147,19 @@ Profile lag_profile(const LagFit& fit, const std::vector<BallPlace>& places, con
     for (const std::size_t i : fit.passes[pass]) {
       if (seen++ % stride != 0) continue;
       const LagImage& image = fit.images[i];
-      profile.add([&](double lag) { return cost_of(image, places[image.place], height, lag); });
+      profile.add([&](double lag) { return cost_of(image, places[image.place], facts, lag); });
     }
   }
   return profile;
 }
 
 /// Returns the median error along the motion in either half of the passes, with the lag of the other half.
-void judge_lag(const std::vector<BallPlace>& places, double height, LagFit& fit) {
+void judge_lag(const std::vector<BallPlace>& places, const ImageFacts& facts, LagFit& fit) {
   std::vector<std::size_t> halves[2];
   for (std::size_t pass = 0; pass < fit.passes.size(); ++pass) halves[pass % 2].push_back(pass);
   std::vector<double> errors, uncorrected;
   for (const std::size_t half : {0u, 1u}) {
-    const Profile others = lag_profile(fit, places, halves[1 - half], height);
+    const Profile others = lag_profile(fit, places, halves[1 - half], facts);
     const double lag = others.best(all_of(others.events()));
     for (const std::size_t pass : halves[half])
       for (const std::size_t i : fit.passes[pass]) {
@@ -167,8 +169,8 @@ void judge_lag(const std::vector<BallPlace>& places, double height, LagFit& fit)
         uncorrected.push_back(std::abs(image.along));
       }
   }
-  fit.error = lab::median_of(std::move(errors));
-  fit.uncorrected = lab::median_of(std::move(uncorrected));
+  fit.error = middle_of(std::move(errors));
+  fit.uncorrected = middle_of(std::move(uncorrected));
 }
 
 ClockLag lag_of(const std::string& clock, double clock_deviation, const Profile& profile) {
@@ -181,7 +183,7 @@ ClockLag lag_of(const std::string& clock, double clock_deviation, const Profile&
 
 /// Returns the lags by clock; those with few passes are left out.
 std::vector<ClockLag> lags_by_clock(const LagFit& fit, const std::vector<BallPlace>& places,
-                                    const std::vector<BallRecording>& recordings, double height) {
+                                    const std::vector<BallRecording>& recordings, const ImageFacts& facts) {
   std::map<std::string, std::vector<std::size_t>> passes;
   std::map<std::string, double> deviations;
   for (std::size_t pass = 0; pass < fit.passes.size(); ++pass) {
@@ -194,7 +196,7 @@ std::vector<ClockLag> lags_by_clock(const LagFit& fit, const std::vector<BallPla
   std::vector<ClockLag> lags;
   for (const auto& [clock, own] : passes)
     if (own.size() >= kFewestPassesOfClock)
-      lags.push_back(lag_of(clock, deviations[clock], lag_profile(fit, places, own, height)));
+      lags.push_back(lag_of(clock, deviations[clock], lag_profile(fit, places, own, facts)));
   return lags;
 }
 
@@ -221,11 +223,11 @@ LagFit fit_lag(const std::vector<BallPlace>& places, const std::vector<BallRecor
   if (fit.passes.size() < kFewestLagPasses) return fit;
   const auto [slowest, fastest] = std::ranges::minmax_element(rolling, {}, &BallPlace::speed);
   fit.slowest = slowest->speed(), fit.fastest = fastest->speed();
-  fit.clocks = lags_by_clock(fit, places, recordings, facts.height);
+  fit.clocks = lags_by_clock(fit, places, recordings, facts);
   fit.known = !fit.clocks.empty();
   if (!fit.known) return fit;
   combine(fit);
-  judge_lag(places, facts.height, fit);
+  judge_lag(places, facts, fit);
   return fit;
 }
 

@@ -6,6 +6,7 @@
 
 #include "robot/core/text.h"
 #include "robot/fit/ball_noise/lag.h"
+#include "robot/fit/ball_noise/profile.h"
 #include "sim/math/tick.h"
 
 namespace robot::fit {
@@ -105,7 +106,7 @@ Mark medians_over_speed(const LagFit& fit, const std::vector<BallPlace>& places)
     }
     if (errors.size() < 10) continue;
     medians.x.push_back(from + kSpeedBin / 2);
-    medians.y.push_back(lab::median_of(std::move(errors)));
+    medians.y.push_back(middle_of(std::move(errors)));
   }
   return medians;
 }

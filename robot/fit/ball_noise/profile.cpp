@@ -1,11 +1,15 @@
 #include "robot/fit/ball_noise/profile.h"
 
+#include "sim/statistics/sample.h"
+
 namespace robot::fit {
 namespace {
 
 constexpr std::size_t kProfileSamples = 200;
 
 }  // namespace
+
+double middle_of(std::vector<double> values) { return values.empty() ? 0 : sim::statistics::median(std::move(values)); }
 
 double Profile::best(const std::vector<std::size_t>& events) const {
   const std::size_t size = values_.size();
