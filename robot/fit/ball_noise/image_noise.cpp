@@ -10,13 +10,13 @@
 namespace robot::fit {
 namespace {
 
-constexpr double kLying = 0.1;            // [m/s] a slower ball lies; the latency displaces it by less than 1 cm
-constexpr double kMostKnown = 0.01;       // [rad] error of the truth in a usable image
-constexpr double kMostByClock = 0.005;    // [rad] error of the clock in a usable image
-constexpr double kPilotElevation = 0.2;   // [rad] far from the horizon: 2 m away
-constexpr double kFromHorizon = 3.5;      // standard deviations
-constexpr double kFalseShare = 0.01;      // of false balls; they lie anywhere in the view
-constexpr double kFalseDensity = 1;       // [1/rad] of their errors
+constexpr double kLying = 0.1;           // [m/s] a slower ball lies; the latency displaces it by less than 1 cm
+constexpr double kMostKnown = 0.01;      // [rad] error of the truth in a usable image
+constexpr double kMostByClock = 0.005;   // [rad] error of the clock in a usable image
+constexpr double kPilotElevation = 0.2;  // [rad] far from the horizon: 2 m away
+constexpr double kFromHorizon = 3.5;     // standard deviations
+constexpr double kFalseShare = 0.001;  // of false balls, which lie anywhere in the view; a larger one narrows the noise
+constexpr double kFalseDensity = 1;    // [1/rad] of their errors
 constexpr double kLeastNoise = 0.0005;    // [rad] first value of the grid
 constexpr double kNoiseStep = 1.05;       // between two values
 constexpr std::size_t kNoiseSteps = 124;  // up to 0.2 rad

@@ -15,8 +15,8 @@ struct CurveShape {
 
 /// A ball that rolls freely: friction bends its curve.
 inline constexpr CurveShape kBallCurve{.half_window = 0.25, .bends = true};
-/// A robot that walks: its speed changes with each step.
-inline constexpr CurveShape kRobotCurve{.half_window = 0.1, .bends = false};
+/// A robot that walks and turns: its speed changes with each step. Straight lines would be ahead of one that begins to turn.
+inline constexpr CurveShape kRobotCurve{.half_window = 0.12, .bends = true};
 
 /// A path as such curves. Refers to the path, which must outlive it.
 class TruePath {
