@@ -14,7 +14,7 @@ constexpr double kFriction = 0.3;    // [m/s²]
 constexpr double kWalk = 0.2;        // [m/s]
 constexpr double kTurnRate = 0.3;    // [rad/s]
 constexpr double kBeliefAge = 0.05;  // [s] more than that of percepts
-constexpr double kEpochNs = 1e12;
+constexpr double kSightsBeginNs = 1e12;
 
 struct Spot {
   double x = 0, y = 0;
@@ -24,7 +24,7 @@ struct Spot {
 class SightMaker {
  public:
   SightMaker(const PlantedSights& planted, std::uint64_t seed) : planted_(planted), random_(seed) {
-    record_.epoch_ns = static_cast<std::uint64_t>(kEpochNs);
+    record_.epoch_ns = static_cast<std::uint64_t>(kSightsBeginNs);
     record_.ball_deviation = std::max(0.02, planted.truth_error);
     late_ = planted.late * normal_(random_);
   }
@@ -75,7 +75,7 @@ class SightMaker {
     if (planted_.has_heading)
       path_.back().heading = std::remainder(heading + planted_.heading_error * normal_(random_), 2 * std::numbers::pi);
     // the robot's clock is ahead by `late_`, which nobody knows
-    const auto capture_ns = static_cast<std::uint64_t>(std::llround(kEpochNs + (at + late_) * 1e9));
+    const auto capture_ns = static_cast<std::uint64_t>(std::llround(kSightsBeginNs + (at + late_) * 1e9));
     if (planted_.has_gait)
       seen_.gaits.push_back({.capture_ns = capture_ns, .gait = walks_ ? fit::Gait::moving : fit::Gait::standing});
     see(capture_ns, own, heading, ball_at(t - planted_.lag), seen_.percepts);

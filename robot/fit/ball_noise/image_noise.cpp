@@ -181,8 +181,9 @@ NoiseParameter parameter_of(const NoiseProfile& found) {
   NoiseParameter parameter = found.facts;
   parameter.known = parameter.images >= kFewestNoiseImages && parameter.passes >= kFewestNoisePasses;
   if (!parameter.known) return parameter;
-  parameter.value = found.profile.best(all_of(found.profile.events()));
-  parameter.deviation = found.profile.deviation();
+  const Group all = all_of(found.profile.events());
+  parameter.value = found.profile.best(all);
+  parameter.deviation = found.profile.deviation(all);
   return parameter;
 }
 

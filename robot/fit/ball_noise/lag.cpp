@@ -18,8 +18,8 @@ constexpr double kOnLineOfSight = 0.8;    // cosine of the angle to it
 constexpr double kMostFree = 0.8;         // [m/s²] deceleration of any turf
 constexpr double kOfAcceleration = 15.5;  // [1/s] deviation of an acceleration in those of a speed (kBallCurve)
 constexpr double kFirstLag = -0.15;       // [s]
-constexpr double kLagStep = 0.0025;       // [s]
-constexpr std::size_t kLagSteps = 221;    // up to 0.4 s
+constexpr double kLagStep = 0.005;        // [s]
+constexpr std::size_t kLagSteps = 111;    // up to 0.4 s
 constexpr double kCauchyWidth = 2.385;    // as Loss::cauchy
 constexpr double kAboveHorizon = 3.5;     // standard deviations
 constexpr std::size_t kFewestLying = 30, kFewestLagPasses = 8, kFewestPassesOfClock = 4;
@@ -130,21 +130,22 @@ double cost_of(const LagImage& image, const BallPlace& place, const ImageFacts& 
   double cost = 0;
   if (!std::isnan(image.bearing)) cost += cauchy_cost((image.bearing - std::atan2(aside, ahead)) / image.of_bearing);
   if (image.has_elevation) {
-    const double moved = elevation_at(std::hypot(ahead, aside), height) - elevation_at(place.distance, height);
+    // the tangent of a difference of two angles
+    const double then = std::sqrt(ahead * ahead + aside * aside), now = place.distance;
+    const double moved = std::atan(height * (now - then) / (now * then + height * height));
     cost += cauchy_cost((image.elevation - moved) / image.of_elevation);
   }
   return cost;
 }
 
-/// Returns the profile of the lag over these passes.
-Profile lag_profile(const LagFit& fit, const std::vector<BallPlace>& places, const std::vector<std::size_t>& passes,
-                    const ImageFacts& facts) {
+/// Returns the profile of the lag: an event for each pass.
+Profile lag_profile(const LagFit& fit, const std::vector<BallPlace>& places, const ImageFacts& facts) {
   const std::size_t stride = 1 + fit.images.size() / kMostLagImages;
   Profile profile(kLagSteps, lag_at);
   std::size_t seen = 0;
-  for (const std::size_t pass : passes) {
+  for (const Group& pass : fit.passes) {
     profile.begin_event();
-    for (const std::size_t i : fit.passes[pass]) {
+    for (const std::size_t i : pass) {
       if (seen++ % stride != 0) continue;
       const LagImage& image = fit.images[i];
       profile.add([&](double lag) { return cost_of(image, places[image.place], facts, lag); });
@@ -153,14 +154,13 @@ Profile lag_profile(const LagFit& fit, const std::vector<BallPlace>& places, con
   return profile;
 }
 
-/// Returns the median error along the motion in either half of the passes, with the lag of the other half.
-void judge_lag(const std::vector<BallPlace>& places, const ImageFacts& facts, LagFit& fit) {
+/// Finds the median error along the motion in either half of the passes, with the lag of the other half.
+void judge_lag(const Profile& profile, const std::vector<BallPlace>& places, LagFit& fit) {
   std::vector<std::size_t> halves[2];
   for (std::size_t pass = 0; pass < fit.passes.size(); ++pass) halves[pass % 2].push_back(pass);
   std::vector<double> errors, uncorrected;
-  for (const std::size_t half : {0u, 1u}) {
-    const Profile others = lag_profile(fit, places, halves[1 - half], facts);
-    const double lag = others.best(all_of(others.events()));
+  for (const std::size_t half : {0U, 1U}) {
+    const double lag = profile.best(halves[1 - half]);
     for (const std::size_t pass : halves[half])
       for (const std::size_t i : fit.passes[pass]) {
         const LagImage& image = fit.images[i];
@@ -173,30 +173,30 @@ void judge_lag(const std::vector<BallPlace>& places, const ImageFacts& facts, La
   fit.uncorrected = middle_of(std::move(uncorrected));
 }
 
-ClockLag lag_of(const std::string& clock, double clock_deviation, const Profile& profile) {
-  return {.clock = clock,
-          .value = profile.best(all_of(profile.events())),
-          .deviation = profile.deviation(),
-          .clock_deviation = clock_deviation,
-          .passes = profile.events()};
-}
+/// The passes of the recordings of one clock.
+struct ClockPasses {
+  std::vector<std::size_t> passes;
+  double deviation = 0;  // [s] the greatest of the clock
+};
 
 /// Returns the lags by clock; those with few passes are left out.
-std::vector<ClockLag> lags_by_clock(const LagFit& fit, const std::vector<BallPlace>& places,
-                                    const std::vector<BallRecording>& recordings, const ImageFacts& facts) {
-  std::map<std::string, std::vector<std::size_t>> passes;
-  std::map<std::string, double> deviations;
+std::vector<ClockLag> lags_by_clock(const Profile& profile, const LagFit& fit, const std::vector<BallPlace>& places,
+                                    const std::vector<BallRecording>& recordings) {
+  std::map<std::string, ClockPasses> clocks;
   for (std::size_t pass = 0; pass < fit.passes.size(); ++pass) {
-    const BallRecording& recording = recordings[fit.images[fit.passes[pass].front()].recording];
-    passes[recording.clock].push_back(pass);
-    double& deviation = deviations[recording.clock];
+    ClockPasses& clock = clocks[recordings[fit.images[fit.passes[pass].front()].recording].clock];
+    clock.passes.push_back(pass);
     for (const std::size_t i : fit.passes[pass])
-      deviation = std::max(deviation, places[fit.images[i].place].clock_deviation);
+      clock.deviation = std::max(clock.deviation, places[fit.images[i].place].clock_deviation);
   }
   std::vector<ClockLag> lags;
-  for (const auto& [clock, own] : passes)
-    if (own.size() >= kFewestPassesOfClock)
-      lags.push_back(lag_of(clock, deviations[clock], lag_profile(fit, places, own, facts)));
+  for (const auto& [name, clock] : clocks)
+    if (clock.passes.size() >= kFewestPassesOfClock)
+      lags.push_back({.clock = name,
+                      .value = profile.best(clock.passes),
+                      .deviation = profile.deviation(clock.passes),
+                      .clock_deviation = clock.deviation,
+                      .passes = clock.passes.size()});
   return lags;
 }
 
@@ -223,11 +223,12 @@ LagFit fit_lag(const std::vector<BallPlace>& places, const std::vector<BallRecor
   if (fit.passes.size() < kFewestLagPasses) return fit;
   const auto [slowest, fastest] = std::ranges::minmax_element(rolling, {}, &BallPlace::speed);
   fit.slowest = slowest->speed(), fit.fastest = fastest->speed();
-  fit.clocks = lags_by_clock(fit, places, recordings, facts);
+  const Profile profile = lag_profile(fit, places, facts);
+  fit.clocks = lags_by_clock(profile, fit, places, recordings);
   fit.known = !fit.clocks.empty();
   if (!fit.known) return fit;
   combine(fit);
-  judge_lag(places, facts, fit);
+  judge_lag(profile, places, fit);
   return fit;
 }
 

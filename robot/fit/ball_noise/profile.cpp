@@ -26,9 +26,13 @@ double Profile::best(const std::vector<std::size_t>& events) const {
   return value_at_(before + after > 0 ? place + (before - after) / (2 * (before + after)) : place);
 }
 
-double Profile::deviation() const {
-  const auto samples = resampled(single_groups(events()), kProfileSamples,
-                                 [&](const std::vector<std::size_t>& chosen) -> Vector { return {best(chosen)}; });
+double Profile::deviation(const std::vector<std::size_t>& events) const {
+  const auto samples =
+      resampled(single_groups(events.size()), kProfileSamples, [&](const std::vector<std::size_t>& chosen) -> Vector {
+        std::vector<std::size_t> drawn;
+        for (const std::size_t i : chosen) drawn.push_back(events[i]);
+        return {best(drawn)};
+      });
   return deviations_of(samples)[0];
 }
 

@@ -37,8 +37,8 @@ class Profile {
   /// Returns the value with the least cost of all these events, which may repeat.
   double best(const std::vector<std::size_t>& events) const;
 
-  /// Returns one standard deviation of best(), over samples of whole events.
-  double deviation() const;
+  /// Returns one standard deviation of best(), over samples of these whole events.
+  double deviation(const std::vector<std::size_t>& events) const;
 
  private:
   std::function<double(double place)> value_at_;
