@@ -10,8 +10,8 @@
 
 namespace robot::tests {
 
-/// The errors of robots and truth. Each episode of a recording lasts six seconds: the ball lies, then it rolls. In every other
-/// one the robot walks.
+/// The errors of robots and truth. Each episode of a recording lasts six seconds: the ball lies, then it rolls. In
+/// every other one the robot walks.
 struct PlantedSights {
   double tilt = 0.015, tilt_walking = 0.028, roll = 0.018;  // [rad]
   double pixels = 0.00308;                                  // [rad] of each axis

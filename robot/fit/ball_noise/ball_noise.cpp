@@ -34,7 +34,8 @@ struct NamedNoise {
   const char* advice;
 };
 
-/// Formats the lack of images: "expected at least 40 images of a ball that lies, by a robot that walks, in 8 passes, got 3 in 1".
+/// Formats the lack of images: "expected at least 40 images of a ball that lies, by a robot that walks, in 8 passes,
+/// got 3 in 1".
 std::string too_few(const char* which, const NoiseParameter& parameter) {
   return formatted("expected at least 40 images of a ball that lies, %s, in 8 passes, got %zu in %zu", which,
                    parameter.images, parameter.passes);
@@ -174,8 +175,8 @@ void add_scores(const NoiseScores& scores, Report& report) {
   report.scores.emplace_back("log_score_before", other.log_score);
 }
 
-/// Returns the distance [m] between the seen and the true place of the ball, relative to the robot; of the range alone without a
-/// true heading.
+/// Returns the distance [m] between the seen and the true place of the ball, relative to the robot; of the range
+/// alone without a true heading.
 double place_error(const BallPlace& place) {
   if (std::isnan(place.bearing)) return std::abs(place.seen_distance - place.distance);
   const double turn = std::remainder(place.seen_bearing - place.bearing, 2 * std::numbers::pi);

@@ -55,8 +55,8 @@ BallPlaces beside_truth(const std::vector<SeenBalls>& robots);
 /// Reads the recordings of all robots, and does so.
 BallPlaces read_ball_places(const Evidence& evidence);
 
-/// Returns the passes of some places: those of one recording without a pause of half a second, at most two seconds long. If there
-/// are more than `most`, successive ones of a recording are joined.
+/// Returns the passes of some places: those of one recording without a pause of half a second, at most two seconds
+/// long. If there are more than `most`, successive ones of a recording are joined.
 std::vector<Group> passes_of(const std::vector<BallPlace>& places, const std::vector<std::size_t>& chosen,
                              std::size_t most = 1000);
 

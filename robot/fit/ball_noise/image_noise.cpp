@@ -88,7 +88,8 @@ std::vector<double> elevations(const std::vector<ImageError>& errors, Counts&& c
   return found;
 }
 
-/// Leaves out elevations so near to the horizon that some of the like have no percept. The noise is that of nearer balls.
+/// Leaves out elevations so near to the horizon that some of the like have no percept. The noise is that of nearer
+/// balls.
 void leave_out_horizon(const ImageFacts& facts, ImageNoiseFit& fit) {
   const double lost = elevation_at(2 * facts.far_range, facts.height);
   for (const bool standing : {false, true}) {

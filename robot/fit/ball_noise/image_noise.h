@@ -25,7 +25,8 @@ double elevation_at(double distance, double height);
 /// Returns the distance [m] at such an angle [rad], infinite at the horizon and above.
 double distance_at(double elevation, double height);
 
-/// The errors of one percept of a ball that lies. Those of elevation are normal at any distance, those of the distance are not.
+/// The errors of one percept of a ball that lies. Those of elevation are normal at any distance, those of the
+/// distance are not.
 struct ImageError {
   std::size_t place = 0;      // index of the percept
   std::size_t recording = 0;  // of the robot
@@ -80,9 +81,9 @@ struct ImageNoiseFit {
   std::size_t turning = 0;       // percepts whose error would be mostly that of the clock
 };
 
-/// Fits the noise to percepts of balls that lie, around the median of each recording. The errors of truth and clock have known
-/// variances, which are subtracted; false balls hardly count. A parameter is not known with fewer than 40 images in 8 passes.
-/// Judges the fit beside another noise.
+/// Fits the noise to percepts of balls that lie, around the median of each recording. The errors of truth and clock
+/// have known variances, which are subtracted; false balls hardly count. A parameter is not known with fewer than 40
+/// images in 8 passes. Judges the fit beside another noise.
 ImageNoiseFit fit_image_noise(const BallPlaces& places, const ImageFacts& facts, const ImageNoise& other);
 
 }  // namespace robot::fit

@@ -44,9 +44,10 @@ struct LagFit {
          uncorrected = 0;  // [m] median |error| along the motion, in passes held out: after and without the lag
 };
 
-/// Fits the lag of percepts or beliefs. The ball of an image is where it was `lag` before: its elevation and bearing are
-/// compared with those of the truth there, without a true heading only the elevation. Both axes count by their noise, which balls that lie show; false balls hardly count.
-/// The error of a clock adds fully to the lag of its recordings; several clocks have independent errors.
+/// Fits the lag of percepts or beliefs. The ball of an image is where it was `lag` before: its elevation and bearing
+/// are compared with those of the truth there, without a true heading only the elevation. Both axes count by their
+/// noise, which balls that lie show; false balls hardly count. The error of a clock adds fully to the lag of its
+/// recordings; several clocks have independent errors.
 LagFit fit_lag(const std::vector<BallPlace>& places, const std::vector<BallRecording>& recordings,
                const ImageFacts& facts, const ImageNoise& usual);
 

@@ -11,8 +11,8 @@
 
 namespace robot::fit {
 
-/// Returns the median, that of an even number being the mean of the middle two; 0 without any. The upper one of two would bias
-/// the errors of short passes.
+/// Returns the median, that of an even number being the mean of the middle two; 0 without any. The upper one of two
+/// would bias the errors of short passes.
 double middle_of(std::vector<double> values);
 
 /// The costs of events at some values of a parameter. A cost is minus the logarithm of a likelihood.

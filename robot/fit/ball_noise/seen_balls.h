@@ -42,8 +42,8 @@ struct SeenBalls {
 /// Reads each of the three streams once.
 SeenBalls read_seen_balls(const WatchedRobot& robot);
 
-/// Returns the median time from capture to publication [s] if it says anything. A writer that repeats the capture time says
-/// nothing, nor does a median of a second or more, nor fewer than 20 messages.
+/// Returns the median time from capture to publication [s] if it says anything. A writer that repeats the capture
+/// time says nothing, nor does a median of a second or more, nor fewer than 20 messages.
 std::optional<double> writing_time(std::vector<double> delays);
 
 }  // namespace robot::fit

@@ -15,7 +15,8 @@ struct CurveShape {
 
 /// A ball that rolls freely: friction bends its curve.
 inline constexpr CurveShape kBallCurve{.half_window = 0.25, .bends = true};
-/// A robot that walks and turns: its speed changes with each step. Straight lines would be ahead of one that begins to turn.
+/// A robot that walks and turns: its speed changes with each step. Straight lines would be ahead of one that begins
+/// to turn.
 inline constexpr CurveShape kRobotCurve{.half_window = 0.12, .bends = true};
 
 /// A path as such curves. Refers to the path, which must outlive it.
@@ -42,10 +43,11 @@ class TruePath {
   CurveShape shape_;
 };
 
-/// Returns the standard deviation of the noise that differs from place to place, by the third differences of successive
-/// ones: motion has nearly none. 0 with fewer than 50.
+/// Returns the standard deviation of the noise that differs from place to place, by the third differences of
+/// successive ones: motion has nearly none. 0 with fewer than 50.
 double scatter_of_places(const lab::Path& path);
-/// Returns the same of the headings [rad], over all places that `counts`, by index; NaN where the truth has no headings.
+/// Returns the same of the headings [rad], over all places that `counts`, by index; NaN where the truth has no
+/// headings.
 double scatter_of_headings(const lab::Path& path, const std::vector<bool>& counts);
 
 /// The error of a place of the truth, in its parts.
@@ -57,7 +59,8 @@ struct TruthError {
   double variance(const TruePath::Moment& moment) const { return scatter * scatter * moment.share + shared * shared; }
 };
 
-/// Splits a whole deviation [m] into its parts. A truth without any scatter of the ball is that of a simulated game: it is exact.
+/// Splits a whole deviation [m] into its parts. A truth without any scatter of the ball is that of a simulated game:
+/// it is exact.
 TruthError truth_error(double deviation, double scatter, double scatter_of_ball);
 
 }  // namespace robot::fit
