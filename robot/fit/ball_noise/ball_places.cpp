@@ -14,6 +14,7 @@ namespace {
 constexpr double kLongestStatus = 0.5;       // [s] that a report of the motion counts
 constexpr double kPassPause = 0.5;           // [s]
 constexpr double kPassLength = 2;            // [s]
+constexpr double kMostSeenDistance = 30;     // [m] no field is longer
 constexpr double kLeastTrueDistance = 0.05;  // [m]
 constexpr double kRealTime = 0.001;          // [s] by which a report of the motion may be later than the image
 
@@ -127,6 +128,10 @@ class BallPlacer {
   const std::size_t recording_;
 };
 
+bool is_possible(const SeenBall& ball) {
+  return ball.distance > 0 && ball.distance < kMostSeenDistance && std::isfinite(ball.bearing);
+}
+
 void order_places(std::vector<BallPlace>& places) {
   std::ranges::stable_sort(places, [](const BallPlace& one, const BallPlace& other) {
     return std::tie(one.recording, one.at) < std::tie(other.recording, other.at);
@@ -156,20 +161,25 @@ BallPlaces beside_truth(const std::vector<SeenBalls>& robots) {
   BallPlaces found;
   std::map<const TrueGame*, TrueBall> balls;
   for (const SeenBalls& seen : robots) {
-    found.damaged += seen.damaged;
     if (seen.percepts.empty() && seen.beliefs.empty()) continue;
     const TrueGame* const game = seen.robot->game.get();
     if (!balls.contains(game)) balls.emplace(game, true_ball_of(game->record));
     const BallPlacer placer(seen, balls.at(game), found.recordings.size());
     found.recordings.push_back(placer.recording());
     for (const SeenBall& ball : seen.percepts) {
-      const auto place = placer.placed(ball);
-      if (place) found.percepts.push_back(*place);
-      found.without_truth += !place;
+      const bool possible = is_possible(ball);
+      const auto place = possible ? placer.placed(ball) : std::nullopt;
+      found.damaged += !possible;
+      found.without_truth += possible && !place;
       found.headless += place && std::isnan(place->bearing);
+      if (place) found.percepts.push_back(*place);
     }
-    for (const SeenBall& ball : seen.beliefs)
-      if (const auto place = placer.placed(ball)) found.beliefs.push_back(*place);
+    for (const SeenBall& ball : seen.beliefs) {
+      if (!is_possible(ball))
+        ++found.damaged;
+      else if (const auto place = placer.placed(ball))
+        found.beliefs.push_back(*place);
+    }
   }
   order_places(found.percepts);
   order_places(found.beliefs);

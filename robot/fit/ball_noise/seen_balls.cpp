@@ -13,9 +13,8 @@
 namespace robot::fit {
 namespace {
 
-constexpr double kMostSeenDistance = 30;  // [m] no field is longer
-constexpr double kSlowestWriting = 1;     // [s]
-constexpr double kMostUnchanged = 0.05;   // share of messages that were written at their capture time
+constexpr double kSlowestWriting = 1;    // [s]
+constexpr double kMostUnchanged = 0.05;  // share of messages that were written at their capture time
 constexpr std::size_t kFewestWritten = 20;
 
 Gait gait_of(const foresight::MotionStatus& status) {
@@ -26,14 +25,6 @@ Gait gait_of(const foresight::MotionStatus& status) {
 
 double delay_of(const logging::Record& record) {
   return static_cast<double>(static_cast<std::int64_t>(record.publish_ns - record.capture_ns)) * 1e-9;
-}
-
-/// Adds a ball, or counts it as damaged.
-void add(const SeenBall& ball, std::vector<SeenBall>& into, std::size_t& damaged) {
-  if (ball.distance > 0 && ball.distance < kMostSeenDistance && std::isfinite(ball.bearing))
-    into.push_back(ball);
-  else
-    ++damaged;
 }
 
 }  // namespace
@@ -51,16 +42,16 @@ SeenBalls read_seen_balls(const WatchedRobot& robot) {
         of_vision.push_back(delay_of(record));
         if (!vision.has_ball()) return;
         const foresight::Detection& ball = vision.ball().detection();
-        add({.capture_ns = record.capture_ns, .distance = ball.distance(), .bearing = ball.bearing()}, seen.percepts,
-            seen.damaged);
+        seen.percepts.push_back(
+            {.capture_ns = record.capture_ns, .distance = ball.distance(), .bearing = ball.bearing()});
       });
   logging::read_records<foresight::Ball>(
       robot.session, before + "ball", [&](const foresight::Ball& ball, const logging::Record& record) {
         of_belief.push_back(delay_of(record));
         if (!ball.visible()) return;
         const double x = ball.x(), y = ball.y();
-        add({.capture_ns = record.capture_ns, .distance = std::hypot(x, y), .bearing = std::atan2(y, x)}, seen.beliefs,
-            seen.damaged);
+        seen.beliefs.push_back(
+            {.capture_ns = record.capture_ns, .distance = std::hypot(x, y), .bearing = std::atan2(y, x)});
       });
   // a simulated robot thinks in no time
   if (robot.session.info.profile == "sim") return seen;

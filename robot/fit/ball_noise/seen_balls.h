@@ -36,7 +36,6 @@ struct SeenBalls {
   std::vector<SeenBall> beliefs;        // from `ball`, those of images that show it
   std::vector<GaitReport> gaits;        // from `motion_status`
   std::optional<double> writing;  // [s] median time from the capture to the writing of a belief, else of a percept
-  std::size_t damaged = 0;        // percepts and beliefs with numbers that cannot be
 };
 
 /// Reads each of the three streams once.

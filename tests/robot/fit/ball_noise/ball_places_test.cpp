@@ -33,6 +33,12 @@ lab::Path noisy_path(double error, double heading_error = 0) {
   return path;
 }
 
+sim::Models expected_models() {
+  const auto game = sim::io::prepare({});
+  EXPECT_TRUE(game);
+  return game->params.teams[0].models;
+}
+
 TEST(TruePath, GivesPlaceSpeedAndHeadingBetweenThePlaces) {
   const lab::Path path = noisy_path(0);
   const auto moment = TruePath(path, kBallCurve).at(5.01);
@@ -118,6 +124,23 @@ TEST(BallPlaces, BallsThatTheTruthDoesNotHaveAreCounted) {
   EXPECT_EQ(places.headless, 0u);
 }
 
+TEST(BallPlaces, NumbersThatCannotBeAreCountedAndDoNotSpread) {
+  tests::SightsOfGames games = tests::planted_sights({.recordings = 2, .episodes = 12}, 2);
+  const sim::Models base = expected_models();
+  const Report clean = fit_ball_noise(beside_truth(games.seen), base);
+  for (std::size_t i = 0; i < 20; ++i) {
+    const std::uint64_t at = games.seen[0].percepts[40 * i].capture_ns;
+    games.seen[0].percepts.push_back({.capture_ns = at, .distance = NAN});
+    games.seen[0].percepts.push_back({.capture_ns = at, .distance = 1, .bearing = INFINITY});
+    games.seen[0].beliefs.push_back({.capture_ns = at, .distance = -1});
+  }
+  const BallPlaces places = beside_truth(games.seen);
+  EXPECT_EQ(places.damaged, 60u);
+  const Report report = fit_ball_noise(places, base);
+  ASSERT_EQ(report.figures.size(), clean.figures.size());
+  for (std::size_t i = 0; i < report.figures.size(); ++i) EXPECT_EQ(report.figures[i].value, clean.figures[i].value);
+}
+
 TEST(BallPlaces, OfASimulatedGameGiveItsNoiseAndItsLatency) {
   const ::tests::TemporaryFolder folder;
   const Evidence evidence = tests::simulated_robots(
@@ -126,9 +149,7 @@ TEST(BallPlaces, OfASimulatedGameGiveItsNoiseAndItsLatency) {
   const BallPlaces places = read_ball_places(evidence);
   EXPECT_EQ(places.damaged, 0u);
   EXPECT_GT(places.beliefs.size(), 500u);
-  const auto game = sim::io::prepare({});
-  ASSERT_TRUE(game);
-  const sim::Models& base = game->params.teams[0].models;
+  const sim::Models base = expected_models();
   const auto value = [](const Report& report, const std::string& name) {
     const auto found = std::ranges::find(report.figures, name, &Figure::name);
     return found == report.figures.end() ? NAN : found->value;
