@@ -72,8 +72,8 @@ double typical_interval(const lab::Path& path) {
 }  // namespace
 
 TruePath::TruePath(const lab::Path& path, const CurveShape& shape) : path_(path), shape_(shape) {
-  // a line needs a place to either side, a parabola two
-  shape_.half_window = std::max(shape_.half_window, (shape_.bends ? 2.2 : 1.1) * typical_interval(path));
+  // a line needs three places wherever the moment is between two, a parabola five
+  shape_.half_window = std::max(shape_.half_window, (shape_.bends ? 2.6 : 1.6) * typical_interval(path));
 }
 
 std::optional<TruePath::Moment> TruePath::at(double seconds) const {

@@ -65,6 +65,17 @@ TEST(TruePath, HasLessNoiseThanASinglePlaceByItsShare) {
   EXPECT_NEAR(std::sqrt(squares / shares), 1, 0.15);
 }
 
+TEST(TruePath, TakesMoreTimeIfPlacesAreRare) {
+  lab::Path path, all = noisy_path(0);
+  for (std::size_t i = 0; i < all.size(); i += 3) path.push_back(all[i]);
+  const TruePath curve(path, kRobotCurve);
+  for (double at = 1; at < 18; at += 0.013) {
+    const auto moment = curve.at(at);
+    ASSERT_TRUE(moment) << at;
+    EXPECT_NEAR(moment->x, at - 0.02 * at * at, 1e-6);
+  }
+}
+
 TEST(TruePath, HasNothingBeyondTheEndsAndInGaps) {
   lab::Path path = noisy_path(0);
   std::erase_if(path, [](const lab::PlaceAt& place) { return place.at > 5 && place.at < 6; });
