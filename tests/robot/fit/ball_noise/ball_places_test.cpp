@@ -157,6 +157,7 @@ TEST(BallPlaces, OfASimulatedGameGiveItsNoiseAndItsLatency) {
   const Evidence evidence = tests::simulated_robots(
       folder.path() / "game",
       {.models = "match,noise.tilt=0.013,noise.tilt_walking=0.024,noise.roll=0.028,camera.latency=0.1", .seconds = 60});
+  for (const WatchedRobot& robot : evidence.robots) EXPECT_EQ(robot.clock_by, "") << "the truth is in its recording";
   const BallPlaces places = read_ball_places(evidence);
   EXPECT_EQ(places.damaged, 0u);
   EXPECT_GT(places.beliefs.size(), 500u);
