@@ -39,8 +39,12 @@ Result<WatchedRobot> placed(const std::string& name, const logging::Session& ses
   if (!robot.offset) return Error{"its clock's offset to " + game->name + " is not known: " + robot.offset.error()};
   auto own = lab::own_path(game->record, robot);
   if (!own) return Error{"it is not found in " + game->name + ": " + own.error()};
-  return WatchedRobot{
-      .name = name, .session = session, .game = game, .path = std::move(own->path), .clock = robot.offset->clock};
+  return WatchedRobot{.name = name,
+                      .session = session,
+                      .game = game,
+                      .path = std::move(own->path),
+                      .clock = robot.offset->clock,
+                      .clock_by = robot.offset->by};
 }
 
 /// Returns the robots whose beliefs or motion a recording holds: "14/2".

@@ -27,6 +27,7 @@ struct WatchedRobot {
   std::shared_ptr<const TrueGame> game;
   lab::Path path;         // of this robot in the truth
   lab::DataOffset clock;  // of its clock to that of the truth; exact if both are in one recording
+  std::string clock_by;   // how that was found: lab::TruthOffset::by; empty: both are in one recording
 
   /// Returns a capture time of the robot by its own clock [s] since the epoch of the truth, for `clock`.
   double own_seconds(std::uint64_t capture_ns) const;

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -20,6 +21,9 @@
 
 #include "robot/core/clock.h"
 #include "robot/fit/ball_distance/ball_distance.h"
+#include "robot/fit/ball_noise/ball_noise.h"
+#include "robot/fit/ball_noise/image_noise.h"
+#include "robot/fit/ball_noise/latency.h"
 #include "robot/fit/kicks/kicks.h"
 #include "robot/fit/rolling/rolling.h"
 #include "sim/io/matchup.h"
@@ -27,6 +31,7 @@
 #include "sim/statistics/sample.h"
 #include "tests/support/planted_balls.h"
 #include "tests/support/planted_kicks.h"
+#include "tests/support/planted_sights.h"
 
 namespace {
 
@@ -218,6 +223,31 @@ void kicks(int repetitions, double partial) {
   if (partial > 0) partials.print(name + "partial", partial);
 }
 
+// --- places of the ball ---
+
+void sights(int repetitions) {
+  const auto game = sim::io::prepare({});
+  if (!game) return void(std::cerr << game.error() << '\n');
+  const sim::Models& base = game->params.teams[0].models;
+  const robot::tests::PlantedSights planted{
+      .pixels = robot::fit::image_facts(base).pixels, .truth_error = kTruthError, .late = kLate / 1.96};
+  const std::pair<const char*, double> values[] = {{"noise.tilt", planted.tilt},
+                                                   {"noise.tilt_walking", planted.tilt_walking},
+                                                   {"noise.roll", planted.roll},
+                                                   {"camera.latency", planted.lag}};
+  std::vector<Tally> tallies(std::size(values));
+  for (int i = 0; i < repetitions; ++i) {
+    const auto seen = robot::tests::planted_sights(planted, 900 + static_cast<std::uint64_t>(i));
+    const robot::fit::BallPlaces places = robot::fit::beside_truth(seen.seen);
+    for (const robot::fit::Report& report :
+         {robot::fit::fit_ball_noise(places, base), robot::fit::fit_latency(places, base)})
+      for (const robot::fit::Figure& figure : report.figures)
+        for (std::size_t k = 0; k < tallies.size(); ++k)
+          if (figure.name == values[k].first) tallies[k].add(figure, values[k].second);
+  }
+  for (std::size_t k = 0; k < tallies.size(); ++k) tallies[k].print(values[k].first, values[k].second);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -228,5 +258,6 @@ int main(int count, char** words) {
   rolling(repetitions, games);
   kicks(repetitions, 0);
   kicks(repetitions, 0.6);
+  sights(repetitions);
   return 0;
 }
