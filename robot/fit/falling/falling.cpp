@@ -148,6 +148,7 @@ void add_duration(const char* name, const std::vector<double>& values, const Fal
   if (values.size() < kFewestTimes) {
     report.kept.push_back(
         formatted("%s: expected at least %zu complete phases, got %zu", name, kFewestTimes, values.size()));
+    report.needs.push_back(need_of(name, "falls", values.size(), 2 * kFewestTimes, "record more games"));
     return;
   }
   Figure figure = duration_figure(name, values, seen.phases.interval);

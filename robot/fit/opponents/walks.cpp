@@ -20,8 +20,8 @@ constexpr std::size_t kFewestPlaces = 50;
 constexpr double kTopShare = 0.99, kFastShare = 0.8;  // of its speeds; of the top speed
 constexpr double kLeastWalked = 60;                   // [s]
 constexpr double kLeastFast = 0.25;                   // share of the time that it walks
-// of a top speed: in simulated games it is 0.965 of the greatest possible speed, give or take 0.02, on exact places
-constexpr double kTopError = 0.03;
+// In simulated games the top speed is 0.965 of the greatest possible one, give or take 0.02: steps differ, and turns cost speed.
+constexpr double kTopOfPossible = 0.965, kTopError = 0.03;
 constexpr std::size_t kDraws = 4000;
 
 std::string team_of_robot(const std::string& robot) {
@@ -67,7 +67,8 @@ std::optional<TopSpeed> top_speed_of(const SeenWalk& walk) {
     if (speed > kFastShare * top) hurries += 1;
   }
   if (walks < kLeastWalked * kPerSecond || hurries < kLeastFast * walks) return std::nullopt;
-  return TopSpeed{.value = top, .deviation = kTopError * top};
+  const double possible = top / kTopOfPossible;
+  return TopSpeed{.value = possible, .deviation = kTopError * possible};
 }
 
 PaceFit fit_paces(const std::vector<TopSpeed>& tops) {

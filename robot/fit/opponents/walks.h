@@ -23,9 +23,9 @@ struct SeenWalk {
 std::vector<SeenWalk> walks_in(const lab::TruthRecord& truth, const std::vector<std::string>& known,
                                std::size_t recording);
 
-/// The top speed of one robot, if it walked fast for long enough.
+/// The greatest possible speed of one robot, by its top speed: 99 % of its speeds are lower.
 struct TopSpeed {
-  double value = 0;      // [m/s] faster than 99 % of its speeds
+  double value = 0;      // [m/s]
   double deviation = 0;  // [m/s]
 };
 
