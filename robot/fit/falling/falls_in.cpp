@@ -15,6 +15,7 @@ constexpr double kAround = 0.5;                          // [s] before and after
 constexpr double kGoesDown = 22. / 30, kIsUp = 8. / 30;  // share of them (sim/statistics/walking.h)
 constexpr std::size_t kFewestJudged = 8;                 // images around
 constexpr double kUnseen = 0.5;                          // [s] without a place: another stay
+constexpr double kSameTime = 1e-6;                       // [s] times are sums of 1/30 s
 constexpr double kStep = 0.1;                            // [s] between moments of risk
 constexpr double kMeanTime = 0.2;                        // [s] before a moment, over which places are averaged
 constexpr double kHalfImage = 1. / 60;                   // [s]
@@ -70,8 +71,8 @@ std::vector<Lie> lies_of(const std::vector<lab::PlaceAt>& places) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double at = places[i].at;
     if (i > 0 && at - places[i - 1].at > kUnseen) finder.leave();
-    while (to < places.size() && places[to].at <= at + kAround) count(places[to++], 1);
-    while (places[from].at < at - kAround) count(places[from++], -1);
+    while (to < places.size() && places[to].at <= at + kAround + kSameTime) count(places[to++], 1);
+    while (places[from].at < at - kAround - kSameTime) count(places[from++], -1);
     if (judged >= kFewestJudged) finder.look(at, static_cast<double>(down) / static_cast<double>(judged));
   }
   finder.leave();
