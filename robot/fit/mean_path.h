@@ -25,7 +25,7 @@ class MeanPath {
   /// Returns the mean over the closed interval [s], or nothing without a place in it.
   std::optional<Mean> over(double from, double to) const;
 
-  /// Returns the velocity [m/s, field] as the slope of straight lines through the places of the interval, and its deviation for
+  /// Returns the velocity [m/s, field]: the slope of straight lines through the places of the interval. Its deviation is that for
   /// places with an error of 1 m. Returns nothing from fewer than four places.
   struct Slope {
     double x = 0, y = 0, deviation = 0;

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "robot/core/text.h"
 #include "robot/fit/math/resampling.h"
+#include "robot/fit/opponents/opponents_page.h"
 #include "robot/fit/rebounds/touches.h"
 #include "sim/statistics/sample.h"
 
 namespace robot::fit {
 namespace {
 
-constexpr double kWalks = 0.05;              // [m/s] (sim/statistics/walking.h)
 constexpr double kKick = 0.5;                // [m/s] (sim/statistics/ball_path.h)
 constexpr double kFasterBy = 2;              // times the speed before
 constexpr double kKickerWithin = 0.35;       // [m]
@@ -47,12 +46,8 @@ double speed_quantile(const Speeds& speeds, const std::vector<std::size_t>& chos
   std::vector<double> values;
   values.reserve(chosen.size());
   for (const std::size_t i : chosen)
-    if (!walking || speeds.all[i] > kWalks) values.push_back(speeds.all[i]);
+    if (!walking || speeds.all[i] > kWalksFrom) values.push_back(speeds.all[i]);
   return values.empty() ? 0 : sim::statistics::quantile(std::move(values), share);
-}
-
-std::size_t walking_speeds(const std::vector<double>& speeds) {
-  return static_cast<std::size_t>(std::ranges::count_if(speeds, [](double speed) { return speed > kWalks; }));
 }
 
 Figure outside_figure(const char* name, const char* unit, double value, double half, std::size_t events,
@@ -69,55 +64,6 @@ Figure outside_figure(const char* name, const char* unit, double value, double h
 }
 
 // --- walking ---
-
-Picture picture_of_speeds(const std::vector<double>& speeds, double fast, double usual) {
-  constexpr double kBar = 0.02, kEnd = 0.6;  // [m/s]
-  Mark bars{.shape = Mark::Shape::bars,
-            .role = Mark::Role::truth,
-            .label = "robots that walk",
-            .x = {},
-            .y = {},
-            .high = {},
-            .width = kBar};
-  const auto walking = static_cast<double>(std::max<std::size_t>(1, walking_speeds(speeds)));
-  for (int i = 0; i < 30; ++i) bars.x.push_back(i * kBar), bars.y.push_back(0);
-  for (const double speed : speeds)
-    if (speed > kWalks && speed < kEnd) bars.y[static_cast<std::size_t>(speed / kBar)] += 100 / walking;
-  const double top = std::max(1., 1.1 * std::ranges::max(bars.y));
-  const auto line = [&](Mark::Role role, const char* label, double x) {
-    return Mark{.shape = Mark::Shape::line, .role = role, .label = label, .x = {x, x}, .y = {0, top}, .high = {}};
-  };
-  return {.title = "Speeds of robots that walk",
-          .x_label = "displacement in a second [m/s]",
-          .y_label = "share [%]",
-          .axes = {.left = 0, .right = kEnd, .bottom = 0, .top = top},
-          .marks = {std::move(bars), line(Mark::Role::other, "walk.forward of the models", usual),
-                    line(Mark::Role::fitted, "99 % of all robots are slower", fast)}};
-}
-
-Results results_of_teams(const OpponentsSeen& seen) {
-  std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> teams;  // speeds, kicks
-  for (const SeenWalk& walk : seen.walks) {
-    auto& speeds = teams[walk.team].first;
-    speeds.insert(speeds.end(), walk.speeds.begin(), walk.speeds.end());
-  }
-  for (const SeenKick& kick : seen.kicks) teams[kick.team].second.push_back(kick.speed);
-  Results results{.title = "Each team",
-                  .head = {"team", "walking [min]", "median [m/s]", "99 % [m/s]", "kicks", "median kick [m/s]"},
-                  .rows = {}};
-  for (const auto& [team, values] : teams) {
-    std::vector<double> walking;
-    std::ranges::copy_if(values.first, std::back_inserter(walking), [](double speed) { return speed > kWalks; });
-    const auto text = [](std::vector<double> list, double share) {
-      return list.empty() ? std::string("-") : formatted("%.2f", sim::statistics::quantile(std::move(list), share));
-    };
-    results.rows.push_back({team.empty() ? "not identified" : team,
-                            formatted("%.1f", static_cast<double>(walking.size()) / 600), text(walking, 0.5),
-                            text(values.first, 0.99), formatted("%zu", values.second.size()),
-                            text(values.second, 0.5)});
-  }
-  return results;
-}
 
 void add_speeds(const OpponentsSeen& seen, const sim::Models& base, Report& report) {
   const Speeds speeds = speeds_of(seen.walks);
@@ -194,32 +140,6 @@ void add_paces(const OpponentsSeen& seen, Report& report) {
 
 // --- kicks ---
 
-Picture picture_of_kicks(const std::vector<SeenKick>& kicks, double middle) {
-  constexpr double kBar = 0.1, kEnd = 3;  // [m/s]
-  Mark bars{.shape = Mark::Shape::bars,
-            .role = Mark::Role::truth,
-            .label = "kicks",
-            .x = {},
-            .y = {},
-            .high = {},
-            .width = kBar};
-  for (int i = 0; i < 30; ++i) bars.x.push_back(i * kBar), bars.y.push_back(0);
-  for (const SeenKick& kick : kicks)
-    if (kick.speed < kEnd) bars.y[static_cast<std::size_t>(kick.speed / kBar)] += 1;
-  const double top = 1.1 * std::max(1., std::ranges::max(bars.y));
-  Mark line{.shape = Mark::Shape::line,
-            .role = Mark::Role::fitted,
-            .label = "median",
-            .x = {middle, middle},
-            .y = {0, top},
-            .high = {}};
-  return {.title = "Speeds of kicks",
-          .x_label = "speed of the ball after a kick [m/s]",
-          .y_label = "kicks",
-          .axes = {.left = 0, .right = kEnd, .bottom = 0, .top = top},
-          .marks = {std::move(bars), std::move(line)}};
-}
-
 double kick_quantile(const std::vector<SeenKick>& kicks, const std::vector<std::size_t>& chosen,
                      double SeenKick::*value, double share) {
   std::vector<double> values;
@@ -256,23 +176,6 @@ void add_kicks(const OpponentsSeen& seen, Report& report) {
   report.needs.push_back(need_of(range, 1, "record the truth of more games"));
   report.figures.push_back(std::move(speed));
   report.figures.push_back(std::move(range));
-}
-
-Table table_of_kicks(const OpponentsSeen& seen) {
-  Table table{.columns = {"time [s]", "speed [m/s]", "reach [m]"}, .names = seen.recordings, .rows = {}};
-  for (const SeenKick& kick : seen.kicks)
-    table.rows.push_back({.recording = kick.recording, .values = {kick.at, kick.speed, kick.reach}});
-  return table;
-}
-
-Table table_of_walks(const OpponentsSeen& seen) {
-  Table table{.columns = {"seen [s]", "walking [s]", "99 % of its speeds [m/s]"}, .names = seen.recordings, .rows = {}};
-  for (const SeenWalk& walk : seen.walks)
-    table.rows.push_back(
-        {.recording = walk.recording,
-         .values = {static_cast<double>(walk.speeds.size()) / 10, static_cast<double>(walking_speeds(walk.speeds)) / 10,
-                    sim::statistics::quantile(walk.speeds, 0.99)}});
-  return table;
 }
 
 // --- reading ---

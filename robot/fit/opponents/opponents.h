@@ -1,4 +1,4 @@
-// What the robots of a game can do, seen from outside: they recorded nothing themselves.
+// The abilities of robots that recorded nothing themselves, seen from outside.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,8 @@ struct OpponentsSeen {
 /// slower than half of that speed, within 0.35 m of a robot. `deceleration` [m/s²] is that of the ball.
 OpponentsSeen read_opponents(const Evidence& evidence, double deceleration);
 
-/// Fits the figures of robots that recorded nothing: opponents.speed (99 % of all speeds are lower), opponents.speed_median (of those
-/// that walk), opponents.kick_speed (the median), opponents.reach (90 % of the kicks roll less far). Their intervals resample
+/// Fits the figures of robots that recorded nothing. 99 % of all speeds are below opponents.speed; opponents.speed_median is that of
+/// robots that walk. opponents.kick_speed is the median of kicks; 90 % of them roll less far than opponents.reach. Their intervals resample
 /// kicks, and whole robots or, of fewer than ten robots, blocks of 20 s. Fewer than 60 s of walking or 15 kicks fit nothing.
 ///
 /// If no robot recorded anything, also walk.forward and walk.spread, from the top speeds of at least five robots. They

@@ -35,8 +35,8 @@ struct PaceFit {
   double spread = 0, spread_low = 0, spread_high = 0;     // [0..1] share by which the slowest is slower
 };
 
-/// Returns the top speed of a robot, or nothing if it walked for less than a minute, or fast for less than a quarter of that: then
-/// it had no reason to hurry.
+/// Returns the top speed of a robot. Returns nothing if it walked for less than a minute, or fast for less than a quarter of
+/// that: it had no reason to hurry.
 std::optional<TopSpeed> top_speed_of(const SeenWalk& walk);
 
 /// Fits the ends of the range to at least five top speeds. The intervals are exact for equally likely speeds (a prior of one

@@ -18,7 +18,6 @@ constexpr std::size_t kFewestRebounds = 8, kFewestPostRebounds = 5, kFewestPushe
 constexpr double kMostTilt = 0.35;  // [rad] 20°: beyond, the line between the middles is not known
 constexpr double kStray = 0.02;     // share of pushes in any direction: something else met the ball
 constexpr double kWidestRestitution = 0.15, kWidestPush = 0.12;  // [rad]
-constexpr double kLeastRestitution = 0.1;                        // below, each push is bent back
 
 ContactFacts facts_of(const sim::Models& base) {
   const auto radius = static_cast<double>(base.ball.radius);
@@ -205,6 +204,11 @@ void add_pushes(const ReboundsSeen& seen, const sim::Models& base, Report& repor
   if (tilt > kMostTilt)
     return keep(
         formatted("expected a line between ball and robot that is known to %.2f rad, got %.2f rad", kMostTilt, tilt));
+  const auto bent = static_cast<std::size_t>(std::ranges::count_if(
+      seen.pushes, [](const Push& push) { return push.turn <= push.least || push.turn >= push.most; }));
+  if (2 * bent > seen.pushes.size())
+    return keep(formatted("expected that the foot bends back at most half of the pushes, got %zu of %zu", bent,
+                          seen.pushes.size()));
   const auto samples = resampled(single_groups(seen.pushes.size()), kContactSamples,
                                  [&](const std::vector<std::size_t>& chosen) -> Vector {
                                    return {fit_push_deviation(seen.pushes, chosen, tilt)};

@@ -42,8 +42,8 @@ struct TouchesSeen {
   std::size_t left_out = 0;  // places of the ball that are impossible
 };
 
-/// Finds the touches. The velocity changes by 0.2 m/s and by four of its deviations, within 0.5 s. The time, the place and both
-/// velocities of a touch are those of the best two rolls that meet; they slow down by `deceleration` [m/s²].
+/// Finds the touches. The velocity changes by at least 0.2 m/s and four of its deviations. Time, place and velocities of a
+/// touch are those of the best two rolls that meet there. Both slow down by `deceleration` [m/s²].
 TouchesSeen touches_in(const lab::TruthRecord& truth, double deceleration, std::size_t recording);
 
 }  // namespace robot::fit
