@@ -203,7 +203,7 @@ void add_notes(const FallsSeen& seen, const FallRates& rates, std::size_t comple
     report.notes.push_back(formatted("Left out: %zu recordings whose truth does not judge falls.", seen.unjudged));
   if (rates.unexplained > 0)
     report.notes.push_back(
-        formatted("Of %zu of %zu falls the cause is not known: the robot neither walked nor touched another one. They "
+        formatted("The cause of %zu of %zu falls is not known: the robot neither walked nor touched another one. They "
                   "are shared like the others.",
                   rates.unexplained, falls_of(seen.robots)));
   if (const std::size_t open = falls_of(seen.robots) - complete; open > 0)

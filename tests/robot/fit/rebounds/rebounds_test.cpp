@@ -120,6 +120,14 @@ TEST(Rebounds, ALineBetweenTheMiddlesThatIsTooCoarseIsKept) {
             "contact.push_deviation: expected a line between ball and robot that is known to 0.35 rad, got 0.69 rad");
 }
 
+TEST(Rebounds, PushesThatTheFootBendsBackAreKept) {
+  ReboundsSeen seen{.recordings = {"game"}, .robots = {}, .posts = {}, .pushes = {}};
+  for (int i = 0; i < 30; ++i)
+    seen.pushes.push_back({.own = 0.2, .speed = 0.2, .turn = 0.02 * i, .least = -0.05, .most = 0.05, .gap = 0.15});
+  EXPECT_EQ(fit_rebounds(seen, usual_models()).kept[2],
+            "contact.push_deviation: expected that the foot bends back at most half of the pushes, got 27 of 30");
+}
+
 TEST(Rebounds, ARobotThatLiesOrAnotherRobotNearbyDoesNotCount) {
   auto lying = planted_touches({.rebounds = 10}, 1), crowded = lying;
   for (lab::PlaceAt& place : lying.robots[0].path) place.fallen = true;
