@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -24,7 +25,10 @@
 #include "robot/fit/ball_noise/ball_noise.h"
 #include "robot/fit/ball_noise/image_noise.h"
 #include "robot/fit/ball_noise/latency.h"
+#include "robot/fit/falling/falling.h"
 #include "robot/fit/kicks/kicks.h"
+#include "robot/fit/opponents/opponents.h"
+#include "robot/fit/rebounds/rebounds.h"
 #include "robot/fit/rolling/rolling.h"
 #include "sim/io/matchup.h"
 #include "sim/match/step.h"
@@ -32,6 +36,7 @@
 #include "tests/support/planted_balls.h"
 #include "tests/support/planted_kicks.h"
 #include "tests/support/planted_sights.h"
+#include "tests/support/planted_touches.h"
 
 namespace {
 
@@ -147,9 +152,14 @@ robot::lab::TruthRecord true_game(const sim::Params& params, std::uint64_t seed)
   for (double at = 0; !sim::finished(state); at += 1 / 30.) {
     record.ball.push_back(place(at, state.world.ball.position));
     record.sightings.push_back({.at = at, .seen = true});
-    for (int robot = 0; robot < 2 * sim::kMaxPlayers; ++robot)
-      if (const sim::Body& body = state.world.bodies[robot]; body.doing != sim::Body::Doing::removed)
-        record.robots[static_cast<std::size_t>(robot)].path.push_back(place(at, body.position));
+    for (int robot = 0; robot < 2 * sim::kMaxPlayers; ++robot) {
+      if (sim::player_of(robot) > params.rules.players) continue;
+      if (const sim::Body& body = state.world.bodies[robot]; body.doing != sim::Body::Doing::removed) {
+        auto& path = record.robots[static_cast<std::size_t>(robot)].path;
+        path.push_back(place(at, body.position));
+        path.back().heading = static_cast<double>(body.heading), path.back().fallen = sim::lies(body);
+      }
+    }
     sim::step(params, state, events);
   }
   return record;
@@ -170,6 +180,68 @@ void rolling(int repetitions, int games) {
     if (const auto fit = robot::fit::fit_rolling(evidence)) tally.add(fit->deceleration, kPlanted);
   }
   tally.print("ball.deceleration", kPlanted);
+}
+
+// --- the truth alone ---
+
+/// Adds the planted figures that a report has.
+void add_planted(const robot::fit::Report& report, const std::map<std::string, double>& planted,
+                 std::map<std::string, Tally>& tallies) {
+  for (const robot::fit::Figure& figure : report.figures)
+    if (const auto value = planted.find(figure.name); value != planted.end())
+      tallies[figure.name].add(figure, value->second);
+}
+
+void print_all(const std::map<std::string, Tally>& tallies, const std::map<std::string, double>& planted) {
+  for (const auto& [name, tally] : tallies) tally.print(name, planted.at(name));
+}
+
+void rebounds(int repetitions) {
+  const auto game = sim::io::prepare({});
+  if (!game) return void(std::cerr << game.error() << '\n');
+  const std::map<std::string, double> planted{
+      {"ball.robot_restitution", 0.5}, {"ball.post_restitution", 0.6}, {"contact.push_deviation", 0.4}};
+  std::map<std::string, Tally> tallies;
+  for (int i = 0; i < repetitions; ++i) {
+    robot::fit::Evidence evidence;
+    evidence.games.push_back(std::make_shared<const robot::fit::TrueGame>(robot::fit::TrueGame{
+        .name = "planted",
+        .record = robot::tests::planted_touches({.truth_error = kTruthError, .posts = 20, .pushes = 60},
+                                                900 + static_cast<std::uint64_t>(i))}));
+    sim::Models models = game->params.teams[0].models;
+    models.ball.radius = 0.05F;
+    add_planted(robot::fit::fit_rebounds(evidence, models), planted, tallies);
+  }
+  print_all(tallies, planted);
+}
+
+/// Falls and speeds of whole games: two halves of five a side, seen from outside.
+void falls_and_speeds(int repetitions) {
+  auto game = sim::io::prepare({.rules = "spl2025", .players = 5, .pace = sim::Pace::every_tick});
+  if (!game) return void(std::cerr << game.error() << '\n');
+  const sim::Models base = game->params.teams[0].models;
+  for (sim::Team& team : game->params.teams) {
+    team.models.effects.falls = true;
+    team.models.motion.falls = {
+        .per_minute_walking = 0.5F, .per_second_touching = 0.06F, .lying = 1.2F, .getting_up = 2, .failure = 0.15F};
+    team.models.motion.walk.forward = 0.3F, team.models.motion.walk.spread = 0.4F;
+  }
+  // an image less than 3.2 s: the tick in which a robot falls still shows it upright
+  const std::map<std::string, double> planted{{"falls.per_minute_walking", 0.5},
+                                              {"falls.per_second_touching", 0.06},
+                                              {"falls.down", 3.2 - 1 / 30.},
+                                              {"falls.failure", 0.15},
+                                              {"walk.forward", 0.3},
+                                              {"walk.spread", 0.4}};
+  std::map<std::string, Tally> tallies;
+  for (int i = 0; i < repetitions; ++i) {
+    robot::fit::Evidence evidence;
+    evidence.games.push_back(std::make_shared<const robot::fit::TrueGame>(
+        robot::fit::TrueGame{.name = "game", .record = true_game(game->params, 5000 + static_cast<std::uint64_t>(i))}));
+    add_planted(robot::fit::fit_falling(evidence, base), planted, tallies);
+    add_planted(robot::fit::fit_opponents(evidence, base), planted, tallies);
+  }
+  print_all(tallies, planted);
 }
 
 // --- kicks ---
@@ -256,6 +328,8 @@ int main(int count, char** words) {
   study(std::min(repetitions, 40));
   ball_distance(repetitions);
   rolling(repetitions, games);
+  rebounds(repetitions);
+  falls_and_speeds(std::min(repetitions, 40));
   kicks(repetitions, 0);
   kicks(repetitions, 0.6);
   sights(repetitions);
