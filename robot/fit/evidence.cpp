@@ -55,12 +55,11 @@ std::vector<std::string> robots_in(const logging::Session& session) {
   return {names.begin(), names.end()};
 }
 
-/// Adds a robot, or the reason why it is left out.
-void take(const std::string& name, Result<WatchedRobot> robot, Evidence& evidence) {
-  if (robot)
-    evidence.robots.push_back(std::move(*robot));
-  else
-    evidence.left_out.push_back(name + ": " + robot.error());
+/// Adds a robot. Without a place in a truth it is added as such, with the reason.
+void take(const std::string& name, const logging::Session& session, Result<WatchedRobot> robot, Evidence& evidence) {
+  if (robot) return evidence.robots.push_back(std::move(*robot));
+  evidence.left_out.push_back(name + ": " + robot.error());
+  evidence.untracked.push_back({.name = name, .session = session});
 }
 
 /// Places each robot of a recording in the truth of this recording.
@@ -73,7 +72,8 @@ void place_in_own_truth(const logging::Session& session, const std::shared_ptr<c
     const std::string name = game->name + (robots.size() > 1 ? " " + one : "");
     lab::RobotRecord record = lab::read_robot(of_one, game->record.epoch_ns);
     if (record.empty()) continue;
-    take(name, placed(name, of_one, game, {.session = 0, .record = std::move(record), .offset = lab::TruthOffset{}}),
+    take(name, of_one,
+         placed(name, of_one, game, {.session = 0, .record = std::move(record), .offset = lab::TruthOffset{}}),
          evidence);
   }
 }
@@ -131,7 +131,7 @@ Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
       place_in_own_truth(*session, own, evidence);
       continue;
     }
-    take(name, in_any_truth(name, *session, known, most_ns), evidence);
+    take(name, *session, in_any_truth(name, *session, known, most_ns), evidence);
   }
   return evidence;
 }

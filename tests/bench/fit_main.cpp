@@ -21,12 +21,14 @@
 #include "robot/core/clock.h"
 #include "robot/fit/ball_distance/ball_distance.h"
 #include "robot/fit/kicks/kicks.h"
+#include "robot/fit/radio/radio.h"
 #include "robot/fit/rolling/rolling.h"
 #include "sim/io/matchup.h"
 #include "sim/match/step.h"
 #include "sim/statistics/sample.h"
 #include "tests/support/planted_balls.h"
 #include "tests/support/planted_kicks.h"
+#include "tests/support/planted_packets.h"
 
 namespace {
 
@@ -218,6 +220,29 @@ void kicks(int repetitions, double partial) {
   if (partial > 0) partials.print(name + "partial", partial);
 }
 
+// --- radio ---
+
+void radio(int repetitions, bool ticks, double clock_error) {
+  const robot::tests::PlantedPackets planted{.clock_error = clock_error, .ticks = ticks};
+  Tally delay, loss;
+  for (int i = 0; i < repetitions; ++i) {
+    const auto report = robot::fit::fit_packets(
+        robot::tests::planted_packets(planted, 900 + static_cast<std::uint64_t>(i)), {.delay = 0.1f, .loss = 0.1f});
+    for (const robot::fit::Figure& figure : report.figures) {
+      if (figure.name == "radio.delay") delay.add(figure, planted.delay);
+      if (figure.name == "radio.loss") loss.add(figure, planted.loss);
+    }
+  }
+  const std::string name = ticks ? "simulated packets: " : "packets: ";
+  delay.print(name + "radio.delay", planted.delay);
+  loss.print(name + "radio.loss", planted.loss);
+}
+
+void radio(int repetitions) {
+  radio(repetitions, true, 0);
+  radio(repetitions, false, kLate / 1.96);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -228,5 +253,6 @@ int main(int count, char** words) {
   rolling(repetitions, games);
   kicks(repetitions, 0);
   kicks(repetitions, 0.6);
+  radio(repetitions);
   return 0;
 }
