@@ -5,6 +5,7 @@
 #include "robot/lab/import/bhuman2009.h"
 #include "robot/lab/import/label_rows.h"
 #include "robot/lab/import/nblog.h"
+#include "robot/lab/import/resting_ball.h"
 #include "robot/lab/import/session_sink.h"
 #include "robot/lab/import/spl_labels.h"
 #include "robot/lab/import/truth_feeds.h"
@@ -36,12 +37,16 @@ std::uint64_t start_ns_of(const std::string& format, std::string_view bytes) {
   return kUndatedEpochNs;
 }
 
-Result<lab::ImportReport> import_bytes(const std::string& format, std::string_view bytes, const truth::SslTeams& teams,
+Result<lab::ImportReport> import_bytes(const std::string& format, std::string_view bytes, const ImportRequest& request,
                                        lab::ImportSink& sink) {
-  if (format == "bhuman2009") return lab::import_bhuman2009(bytes, kUndatedEpochNs, sink);
+  const auto bhuman2009 = [&](lab::ImportSink& to) { return lab::import_bhuman2009(bytes, kUndatedEpochNs, to); };
+  if (request.find_ball && format != "bhuman2009")
+    return Error{"import: --find-ball is for bhuman2009, got the format " + format};
+  if (request.find_ball) return lab::import_with_ball(sink, bhuman2009);
+  if (format == "bhuman2009") return bhuman2009(sink);
   if (format == "nblog") return lab::import_nblog(bytes, kUndatedEpochNs, sink);
   if (format == "spl_labels") return lab::import_spl_labels(bytes, kUndatedEpochNs, sink);
-  if (format == "ssl_log") return lab::import_ssl_log(bytes, teams, sink);
+  if (format == "ssl_log") return lab::import_ssl_log(bytes, request.teams, sink);
   if (format == "truth_csv") return lab::import_truth_csv(bytes, kUndatedEpochNs, sink);
   return Error{"import: expected the format auto or one of " + std::string(kImportFormats) + ", got '" + format + "'"};
 }
@@ -104,7 +109,7 @@ Result<Imported> import_recording(const ImportRequest& request) {
                               : request.session;
   auto report = write_import(session, session_info(request.robot, request.name, played.rules, start_ns),
                              [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
-                               Result<lab::ImportReport> filled = import_bytes(format, *bytes, request.teams, sink);
+                               Result<lab::ImportReport> filled = import_bytes(format, *bytes, request, sink);
                                if (filled && filled->messages.empty())
                                  return Error{"import: " + request.file.string() + " contains no message" +
                                               (filled->damage.empty() ? "" : ": " + filled->damage)};

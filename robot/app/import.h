@@ -19,7 +19,8 @@ struct ImportRequest {
   std::filesystem::path out;
   RobotName robot;
   std::string name;
-  truth::SslTeams teams;  // of ssl_log
+  truth::SslTeams teams;   // of ssl_log
+  bool find_ball = false;  // bhuman2009: adds `vision` with the orange ball and a truth by odometry
 };
 
 /// The formats of other programs, as in sentences.

@@ -43,13 +43,13 @@ Result<WatchedRobot> placed(const std::string& name, const logging::Session& ses
       .name = name, .session = session, .game = game, .path = std::move(own->path), .clock = robot.offset->clock};
 }
 
-/// Returns the robots whose beliefs or motion a recording holds: "14/2".
+/// Returns the robots whose percepts, beliefs or motion a recording holds: "14/2".
 std::vector<std::string> robots_in(const logging::Session& session) {
   std::set<std::string> names;
   for (const logging::StreamFile& stream : session.streams) {
     const std::vector<std::string_view> parts = split(stream.topic, "/");
     if (parts.size() != 4 || !parts[0].empty()) continue;
-    if (parts[3] == "pose" || parts[3] == "ball" || parts[3] == "motion_status")
+    if (parts[3] == "pose" || parts[3] == "ball" || parts[3] == "motion_status" || parts[3] == "vision")
       names.insert(std::string(parts[1]) + "/" + std::string(parts[2]));
   }
   return {names.begin(), names.end()};
@@ -71,7 +71,6 @@ void place_in_own_truth(const logging::Session& session, const std::shared_ptr<c
     of_one.info.robot = one;
     const std::string name = game->name + (robots.size() > 1 ? " " + one : "");
     lab::RobotRecord record = lab::read_robot(of_one, game->record.epoch_ns);
-    if (record.empty()) continue;
     take(name, of_one,
          placed(name, of_one, game, {.session = 0, .record = std::move(record), .offset = lab::TruthOffset{}}),
          evidence);

@@ -34,7 +34,7 @@ struct Covered {
 Covered cover(const PlantedPackets& planted, int repetitions) {
   Covered covered;
   for (int i = 0; i < repetitions; ++i) {
-    const Report report = fit_packets(planted_packets(planted, static_cast<std::uint64_t>(i) + 1), kBefore);
+    const Report report = fit_packets(planted_packets(planted, static_cast<std::uint64_t>(i) + 100), kBefore);
     const Figure *delay = figure(report, "radio.delay"), *loss = figure(report, "radio.loss");
     if (!delay || !loss) return covered;
     covered.delay += covers(*delay, planted.delay);
