@@ -8,6 +8,7 @@
 #include "robot/lab/import/resting_ball.h"
 #include "robot/lab/import/session_sink.h"
 #include "robot/lab/import/spl_labels.h"
+#include "robot/lab/import/teamcomm.h"
 #include "robot/lab/import/truth_feeds.h"
 #include "robot/lab/synthetic/synthetic.h"
 #include "robot/logging/sessions/session_name.h"
@@ -26,6 +27,7 @@ std::string format_of(std::string_view bytes) {
   // an nblog begins with 4 bytes for the size of its header; the header begins with its name
   if (bytes.size() > 10 && bytes.substr(4, 6) == "(nblog") return "nblog";
   if (truth::is_ssl_log(bytes)) return "ssl_log";
+  if (lab::is_teamcomm_log(bytes)) return "teamcomm";
   if (lab::labels::is_label_file(bytes)) return "spl_labels";
   return truth::is_truth_csv(bytes) ? "truth_csv" : "bhuman2009";
 }
@@ -46,6 +48,7 @@ Result<lab::ImportReport> import_bytes(const std::string& format, std::string_vi
   if (format == "bhuman2009") return bhuman2009(sink);
   if (format == "nblog") return lab::import_nblog(bytes, kUndatedEpochNs, sink);
   if (format == "spl_labels") return lab::import_spl_labels(bytes, kUndatedEpochNs, sink);
+  if (format == "teamcomm") return lab::import_teamcomm(bytes, kUndatedEpochNs, sink);
   if (format == "ssl_log") return lab::import_ssl_log(bytes, request.teams, sink);
   if (format == "truth_csv") return lab::import_truth_csv(bytes, kUndatedEpochNs, sink);
   return Error{"import: expected the format auto or one of " + std::string(kImportFormats) + ", got '" + format + "'"};

@@ -24,7 +24,7 @@ struct ImportRequest {
 };
 
 /// The formats of other programs, as in sentences.
-inline constexpr const char* kImportFormats = "bhuman2009, nblog, spl_labels, ssl_log, truth_csv";
+inline constexpr const char* kImportFormats = "bhuman2009, nblog, spl_labels, ssl_log, teamcomm, truth_csv";
 
 /// The result of an import.
 struct Imported {

@@ -8,7 +8,7 @@
 namespace robot::fit {
 namespace {
 
-constexpr std::size_t kAgePoints = 60;
+constexpr std::size_t kAgePoints = 241;
 constexpr double kOldestAge = 6, kSenderSilence = 10;  // [s]
 
 /// A sum of the times in which a packet is older than each age.

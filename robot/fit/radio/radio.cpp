@@ -292,6 +292,13 @@ Mark age_line(const char* label, Mark::Role role, const AgeCurve& curve) {
   return mark;
 }
 
+/// Returns the age that few packets reach [s]: the right edge of the picture.
+double oldest_drawn(const AgeCurve& curve) {
+  for (std::size_t i = 0; i < curve.ages.size(); ++i)
+    if (curve.shares[i] < 0.01) return std::max(0.5, 1.2 * curve.ages[i]);
+  return curve.ages.back();
+}
+
 const Figure* radio_figure(const Report& report, const std::string& name) {
   const auto found = std::ranges::find(report.figures, name, &Figure::name);
   return found == report.figures.end() ? nullptr : &*found;
@@ -303,7 +310,7 @@ void draw_ages(const RadioEvidence& radio, const sim::perception::Radio& before,
   Picture picture{.title = "Age of a mate's newest packet",
                   .x_label = "age [s]",
                   .y_label = "time with an older one [%]",
-                  .axes = {.left = 0, .right = seen.ages.back(), .bottom = 0, .top = 100},
+                  .axes = {.left = 0, .right = oldest_drawn(seen), .bottom = 0, .top = 100},
                   .marks = {age_line("robots", Mark::Role::truth, seen)}};
   const Figure *delay = radio_figure(report, "radio.delay"), *loss = radio_figure(report, "radio.loss");
   if (const AgeCurve curve = expected_ages(radio.records, before.delay, before.loss); !curve.ages.empty())

@@ -42,7 +42,8 @@ class TeamReader {
     record_.simulated = !record_.heard.empty() && all_instant_;
     std::vector<double> late;
     for (HeardPacket& packet : record_.heard) {
-      if (record_.simulated && !std::isnan(packet.arrived)) packet.arrived = packet.shown - kTick;
+      // a packet that came within a pause of the recording was shown late
+      if (record_.simulated) packet.arrived = after_pause_[packet.shown] ? NAN : packet.shown - kTick;
       if (!std::isnan(packet.arrived)) late.push_back(packet.shown - packet.arrived);
       if (!std::isnan(packet.sent) && std::abs(packet.arrived - packet.sent) > kLongestDelay) {
         packet.sent = NAN;
@@ -67,7 +68,8 @@ class TeamReader {
     all_instant_ = all_instant_ && now.sent_ns == now.received_ns;
     HeardPacket packet{.mate = mate.player(), .shown = at};
     if (now.sent_ns != 0) packet.sent = seconds_(now.sent_ns);
-    if (!paused_) packet.arrived = now.received_ns != 0 ? seconds_(now.received_ns) : at;
+    if (now.received_ns != 0) packet.arrived = seconds_(now.received_ns);
+    after_pause_[at] = paused_;
     if (std::abs(at - packet.arrived) > kLongestDelay) {
       ++record_.damaged;
       return;
@@ -89,6 +91,7 @@ class TeamReader {
   const SecondsOf seconds_;
   TeamRecord& record_;
   std::map<unsigned, Shown> shown_;
+  std::map<double, bool> after_pause_;  // by the time of a message [s]
   bool paused_ = true, all_instant_ = true;
 };
 

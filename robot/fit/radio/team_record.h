@@ -16,7 +16,7 @@ namespace robot::fit {
 struct HeardPacket {
   unsigned mate = 0;        // jersey number of its sender
   double sent = NAN;        // [s] as the receiver dates it; NaN: not recorded
-  double arrived = NAN;     // [s] NaN: it came before the recording, or within a pause of it
+  double arrived = NAN;     // [s] NaN: not recorded
   double shown = 0;         // [s] capture time of the first `team` message with it
   double ball_age = NAN;    // [s] of the sender's ball when it sent, NaN without a ball
   double x = NAN, y = NAN;  // [m, team_field] where the sender believed to be; NaN: not sent
@@ -49,7 +49,7 @@ struct TeamRecord {
 inline constexpr double kTick = 1 / 30.;
 
 /// Reads the packets of a robot. A packet's arrival is `received_ns`. A simulated recording has none. There it is
-/// a tick before the first message with the packet.
+/// a tick before the first message with the packet, unless the packet came within a pause of the recording.
 TeamRecord read_team(const WatchedRobot& robot);
 TeamRecord read_team(const UntrackedRobot& robot);
 

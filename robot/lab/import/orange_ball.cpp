@@ -101,8 +101,8 @@ std::optional<FoundBall> find_orange_ball(const Picture& picture, int last_row) 
   for (auto patch = mask.take_patch(); !patch.empty(); patch = mask.take_patch()) {
     if (patch.size() < kFewestPairs) continue;
     const FoundBall ball = circle_of(patch, rows);
-    const bool cut = ball.left <= 0 || ball.top <= 0 || ball.left + ball.width >= picture.width ||
-                     ball.top + ball.height >= rows;
+    const bool cut =
+        ball.left <= 0 || ball.top <= 0 || ball.left + ball.width >= picture.width || ball.top + ball.height >= rows;
     if (cut || !is_round(ball) || (best && ball.radius <= best->radius)) continue;
     best = ball;
   }

@@ -14,8 +14,8 @@ struct Picture {
 
 /// A whole ball in a picture.
 struct FoundBall {
-  double x = 0, y = 0;                                // [px] centre
-  double radius = 0;                                  // [px] of the circle with the same area
+  double x = 0, y = 0;                              // [px] centre
+  double radius = 0;                                // [px] of the circle with the same area
   double left = 0, top = 0, width = 0, height = 0;  // [px] bounding box
 };
 

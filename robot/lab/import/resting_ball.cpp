@@ -21,14 +21,14 @@ namespace {
 
 namespace pb = foresight;
 
-constexpr double kBallHeight = 0.04;                      // [m] of the ball's middle
-constexpr double kTilt = std::numbers::pi / 180;          // [rad] one standard deviation of the camera's tilt
-constexpr double kWayShare = 0.1;                         // of odometry, before it is measured
-constexpr double kOwnChest = 5. / 6;                      // share of the picture's rows above the robot's chest
-constexpr double kFits = 3, kLeastDeviation = 0.01;       // [standard deviations], [m]
+constexpr double kBallHeight = 0.04;                 // [m] of the ball's middle
+constexpr double kTilt = std::numbers::pi / 180;     // [rad] one standard deviation of the camera's tilt
+constexpr double kWayShare = 0.1;                    // of odometry, before it is measured
+constexpr double kOwnChest = 5. / 6;                 // share of the picture's rows above the robot's chest
+constexpr double kFits = 3, kLeastDeviation = 0.01;  // [standard deviations], [m]
 constexpr std::size_t kFewestFitting = 10, kFewestRolled = 10, kMovedAfter = 3;
-constexpr double kLongWay = 0.3;                          // [m] its share of error can be measured
-constexpr double kFarthestBall = 6;                       // [m] the camera's tilt makes farther places useless
+constexpr double kLongWay = 0.3;     // [m] its share of error can be measured
+constexpr double kFarthestBall = 6;  // [m] the camera's tilt makes farther places useless
 constexpr std::uint64_t kStepNs = kSecond / 30, kRollNs = 2 * kSecond;
 
 double median(std::vector<double> values) {
@@ -45,8 +45,7 @@ std::optional<OdometryAt> odometry_at(const std::vector<OdometryAt>& odometry, s
   if (after->at_ns == at_ns) return *after;
   if (after == odometry.begin()) return std::nullopt;
   const OdometryAt& before = *(after - 1);
-  const double share =
-      static_cast<double>(at_ns - before.at_ns) / static_cast<double>(after->at_ns - before.at_ns);
+  const double share = static_cast<double>(at_ns - before.at_ns) / static_cast<double>(after->at_ns - before.at_ns);
   return OdometryAt{
       .at_ns = at_ns,
       .x = before.x + share * (after->x - before.x),
@@ -227,7 +226,8 @@ class BallSink final : public ImportSink {
 
   void describe(const RestingBall& rest, ImportReport& report) const {
     std::string text = formatted(
-        "truth by odometry, in its frame: the ball lies still in %zu pictures over %.1f s; by odometry and by the camera "
+        "truth by odometry, in its frame: the ball lies still in %zu pictures over %.1f s; by odometry and by the "
+        "camera "
         "its distances differ by %.1f %% of the way",
         rest.pictures, static_cast<double>(rest.end_ns - rest.begin_ns) * 1e-9, 100 * rest.way_share);
     if (rest.rolled > 0)
@@ -263,8 +263,8 @@ class BallSink final : public ImportSink {
   }
 
   ImportSink& sink_;
-  pb::Vision vision_;           // of the last picture
-  std::uint64_t seen_ns_ = 0;   // its time; 0: its vision is written
+  pb::Vision vision_;          // of the last picture
+  std::uint64_t seen_ns_ = 0;  // its time; 0: its vision is written
   std::optional<FoundBall> ball_;
   std::uint64_t pictures_ = 0;
   std::vector<BallSighting> sightings_;
@@ -288,11 +288,8 @@ Result<RestingBall> find_rest(const std::vector<BallSighting>& sightings, const 
     fits.push_back(std::hypot(ball.x - x, ball.y - y) <
                    kFits * std::hypot(ball.deviation, kWayShare * (ball.way - nearest->way)));
   const auto [first, last] = rest_around(fits, static_cast<std::size_t>(nearest - balls.begin()));
-  RestingBall rest{.x = x,
-                   .y = y,
-                   .begin_ns = balls[first].at_ns,
-                   .end_ns = balls[last].at_ns,
-                   .nearest_ns = nearest->at_ns};
+  RestingBall rest{
+      .x = x, .y = y, .begin_ns = balls[first].at_ns, .end_ns = balls[last].at_ns, .nearest_ns = nearest->at_ns};
   std::vector<double> shares, near;
   for (std::size_t i = first; i <= last; ++i) {
     if (!fits[i]) continue;
