@@ -1,4 +1,4 @@
-// What the packets of each sender say, and how regularly they come. It needs no truth.
+// Contents and regularity of each sender's packets. They need no truth.
 #pragma once
 
 #include <string>

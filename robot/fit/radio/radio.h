@@ -1,4 +1,4 @@
-// What the team's packets go through: delay and loss of the radio.
+// Delay and loss of the team's packets.
 #pragma once
 
 #include <vector>

@@ -1,11 +1,12 @@
 // Logs of the TeamCommunicationMonitor: the packets of the Standard Platform League's teams, as a listener heard them.
 //
-// A stream of Java's serialisation (version 5), all big endian. For each packet: a block of 9 bytes with the time [ms, u64]
-// and a flag, then an object SPLStandardMessagePackage with the team (i32), the sender's address (string) and the bytes of
-// the packet. Classes and strings may be references to earlier ones.
+// A stream of Java's serialisation (version 5), all big endian. Each packet has two parts. The first is a block of 9 bytes:
+// the time [ms, u64] and a flag. The second is an object SPLStandardMessagePackage: the team (i32), the sender's address
+// (string) and the bytes of the packet. Classes and strings may be references to earlier ones.
 //
-// A packet is an SPLStandardMessage of version 6 (2015), little endian: "SPL ", u8 version, player, team, fallen; float32
-// x, y [mm, team_field], heading, target of the walk x, y, of the kick x, y, age of the ball, ball x, y [mm, robot], its velocity.
+// A packet is an SPLStandardMessage of version 6 (2015), little endian: "SPL ", u8 version, player, team, fallen. Then
+// float32 x, y [mm, team_field], heading, targets x, y of the walk and of the kick. Then float32 age of the ball, its x, y
+// [mm, robot] and its velocity. The rest is not used.
 // By the league's rules the heading is in radians and the age in seconds. Teams differ, so the importer looks at the whole log:
 //
 // - A heading beyond half a turn means that all are in degrees.

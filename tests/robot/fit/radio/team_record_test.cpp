@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "proto/foresight/team.pb.h"
 #include "robot/core/files.h"
@@ -13,6 +14,7 @@
 #include "robot/lab/import/teamcomm.h"
 #include "robot/logging/sessions/session_writer.h"
 #include "tests/support/real_data.h"
+#include "tests/support/simulated_robots.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robot::fit {
@@ -111,6 +113,20 @@ TEST(TeamRecord, PacketsWithTimesThatCannotBeAreCounted) {
   EXPECT_EQ(record.damaged, 2u);
   EXPECT_EQ(record.heard.size(), 4u);
   EXPECT_TRUE(std::isnan(record.heard[2].sent));
+}
+
+TEST(TeamRecord, PlantedFiguresComeOutOfSimulatedGames) {
+  const ::tests::TemporaryFolder folder;
+  const Evidence evidence = tests::simulated_robots(
+      folder / "game", {.models = "match,radio.delay=0.15,radio.loss=0.25", .seconds = 240, .clock_error = 0.02});
+  const Report report = fit_radio(evidence, {});
+  for (const auto& [name, planted] : {std::pair("radio.delay", 0.15), {"radio.loss", 0.25}}) {
+    const auto figure = std::ranges::find(report.figures, name, &Figure::name);
+    ASSERT_NE(figure, report.figures.end()) << name;
+    EXPECT_LT(figure->low, planted) << name;
+    EXPECT_GT(figure->high, planted) << name;
+    EXPECT_TRUE(figure->is_known()) << name;
+  }
 }
 
 // --- two real robots ---
