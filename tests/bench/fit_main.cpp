@@ -6,10 +6,13 @@
 //   study    the 460 images of the thesis from 0.5 to 3 m; errors of each curve on other recordings, also nearer and farther
 //   kicks    50 kicks of a kind: errors of speed and direction, coverage and score of the landing points
 //   planted  each fitted figure: share of intervals that cover the planted value, bias in parts of the interval
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -29,6 +32,7 @@
 #include "tests/support/planted_balls.h"
 #include "tests/support/planted_kicks.h"
 #include "tests/support/planted_packets.h"
+#include "tests/support/simulated_robots.h"
 
 namespace {
 
@@ -238,9 +242,32 @@ void radio(int repetitions, bool ticks, double clock_error) {
   loss.print(name + "radio.loss", planted.loss);
 }
 
+/// The same from recordings of simulated games, each of two minutes.
+void radio_in_games(int repetitions) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("bench-radio-" + std::to_string(getpid()));
+  Tally delay, loss;
+  for (int i = 0; i < repetitions; ++i) {
+    std::filesystem::remove_all(folder);
+    const auto evidence = robot::tests::simulated_robots(folder, {.models = "match,radio.delay=0.15,radio.loss=0.25",
+                                                                  .seconds = 120,
+                                                                  .seed = 300 + static_cast<std::uint64_t>(i),
+                                                                  .place_error = kTruthError,
+                                                                  .clock_error = kLate / 1.96});
+    for (const robot::fit::Figure& figure : robot::fit::fit_radio(evidence, {}).figures) {
+      if (figure.name == "radio.delay") delay.add(figure, 0.15);
+      if (figure.name == "radio.loss") loss.add(figure, 0.25);
+    }
+  }
+  std::filesystem::remove_all(folder);
+  delay.print("games: radio.delay", 0.15);
+  loss.print("games: radio.loss", 0.25);
+}
+
 void radio(int repetitions) {
   radio(repetitions, true, 0);
   radio(repetitions, false, kLate / 1.96);
+  radio_in_games(std::min(repetitions, 20));
 }
 
 }  // namespace

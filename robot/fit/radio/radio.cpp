@@ -129,7 +129,8 @@ void fit_interval(const RadioEvidence& radio, Report& report) {
       for (const std::size_t i : chosen) values.push_back(all[i]);
       return {lab::median_of(std::move(values))};
     });
-    half = two_sided(blocks.size() - 1) * deviations_of(samples)[0];
+    // times between whole ticks are known to half a tick
+    half = std::hypot(two_sided(blocks.size() - 1) * deviations_of(samples)[0], radio.step / 2);
   }
   report.figures.push_back({.name = "radio.interval",
                             .unit = "s",

@@ -118,7 +118,8 @@ TEST(TeamRecord, PacketsWithTimesThatCannotBeAreCounted) {
 TEST(TeamRecord, PlantedFiguresComeOutOfSimulatedGames) {
   const ::tests::TemporaryFolder folder;
   const Evidence evidence = tests::simulated_robots(
-      folder / "game", {.models = "match,radio.delay=0.15,radio.loss=0.25", .seconds = 240, .clock_error = 0.02});
+      folder / "game",
+      {.models = "match,radio.delay=0.15,radio.loss=0.25", .seconds = 120, .seed = 3, .clock_error = 0.02});
   const Report report = fit_radio(evidence, {});
   for (const auto& [name, planted] : {std::pair("radio.delay", 0.15), {"radio.loss", 0.25}}) {
     const auto figure = std::ranges::find(report.figures, name, &Figure::name);
