@@ -43,7 +43,7 @@ Result<lab::ImportReport> import_bytes(const std::string& format, std::string_vi
                                        lab::ImportSink& sink) {
   const auto bhuman2009 = [&](lab::ImportSink& to) { return lab::import_bhuman2009(bytes, kUndatedEpochNs, to); };
   if (request.find_ball && format != "bhuman2009")
-    return Error{"import: --find-ball is for bhuman2009, got the format " + format};
+    return Error{"--find-ball is for bhuman2009, got the format " + format};
   if (request.find_ball) return lab::import_with_ball(sink, bhuman2009);
   if (format == "bhuman2009") return bhuman2009(sink);
   if (format == "nblog") return lab::import_nblog(bytes, kUndatedEpochNs, sink);
@@ -66,6 +66,9 @@ PlayedBy rules_of(const std::string& format) {
     return {"spl2012:3", "assumed: the rules spl2012:3, because the league of 2009 played three a side on 6 x 4 m"};
   if (format == "nblog")
     return {"spl2025:5", "assumed: the rules spl2025:5, because the league of 2014 played five a side on 9 x 6 m"};
+  if (format == "teamcomm")
+    return {"spl2025:5",
+            "assumed: the rules spl2025:5, because packets of version 6 are of 2015 and 2016, five a side on 9 x 6 m"};
   if (format == "ssl_log" || format == "truth_csv") return {"", ""};
   return {kWideField, ""};
 }
