@@ -29,7 +29,7 @@ constexpr double kFits = 3, kLeastDeviation = 0.01;  // [standard deviations], [
 constexpr std::size_t kFewestFitting = 10, kFewestRolled = 10, kMovedAfter = 3;
 constexpr double kLongWay = 0.3;     // [m] its share of error can be measured
 constexpr double kFarthestBall = 6;  // [m] the camera's tilt makes farther places useless
-constexpr std::uint64_t kStepNs = kSecond / 30, kRollNs = 2 * kSecond;
+constexpr std::uint64_t kStepNs = kSecond / 30, kRollNs = 2 * kSecond, kLongestRestNs = 3600 * kSecond;
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -302,6 +302,9 @@ Result<RestingBall> find_rest(const std::vector<BallSighting>& sightings, const 
       near.push_back(error);
   }
   if (rest.pictures < kFewestFitting) return few(rest.pictures);
+  if (rest.end_ns - rest.begin_ns > kLongestRestNs)
+    return Error{formatted("the ball lies still for %.0f hours: expected at most one, so the times are wrong",
+                           static_cast<double>(rest.end_ns - rest.begin_ns) / 3.6e12)};
   rest.way_share = shares.empty() ? kWayShare : fit::kOfMedian * median(std::move(shares));
   rest.deviation = std::max(kLeastDeviation / 2, fit::kOfMedian * median(std::move(near)));
   measure_roll(balls, rest);

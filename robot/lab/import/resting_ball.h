@@ -37,7 +37,7 @@ struct RestingBall {
 };
 
 /// Finds the one place that fits all sightings while the ball lies. Near ones count most: the camera's tilt is uncertain by one
-/// degree. The rest ends before three sightings in a row that do not fit. Returns an Error with fewer than ten that fit.
+/// degree. The rest ends before three sightings in a row that do not fit. Returns an Error with fewer than ten that fit, or for more than an hour.
 /// `odometry` is in the order of the times.
 Result<RestingBall> find_rest(const std::vector<BallSighting>& sightings, const std::vector<OdometryAt>& odometry);
 

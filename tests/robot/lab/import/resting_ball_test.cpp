@@ -153,6 +153,15 @@ TEST(RestingBall, TooFewPicturesAreRefused) {
   EXPECT_FALSE(find_rest({}, {}));
 }
 
+TEST(RestingBall, TimesOfDaysAreWrong) {
+  Approach approach(1);
+  for (OdometryAt& robot : approach.odometry) robot.at_ns *= 1'000'000;
+  for (BallSighting& ball : approach.sightings) ball.at_ns *= 1'000'000;
+  const auto rest = find_rest(approach.sightings, approach.odometry);
+  ASSERT_FALSE(rest);
+  EXPECT_TRUE(rest.error().ends_with("hours: expected at most one, so the times are wrong")) << rest.error();
+}
+
 TEST(RestingBall, ARecordingWithoutABallHasNoTruth) {
   ::tests::Bhuman2009Writer writer;
   writer.cognition({.time_ms = 1, .width = 16, .height = 8, .y = 100, .u = 128, .v = 128});
