@@ -6,10 +6,13 @@
 //   study    the 460 images of the thesis from 0.5 to 3 m; errors of each curve on other recordings, also nearer and farther
 //   kicks    50 kicks of a kind: errors of speed and direction, coverage and score of the landing points
 //   planted  each fitted figure: share of intervals that cover the planted value, bias in parts of the interval
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -29,6 +32,7 @@
 #include "robot/fit/kicks/kicks.h"
 #include "robot/fit/opponents/opponents.h"
 #include "robot/fit/rebounds/rebounds.h"
+#include "robot/fit/radio/radio.h"
 #include "robot/fit/rolling/rolling.h"
 #include "sim/io/matchup.h"
 #include "sim/match/step.h"
@@ -37,6 +41,8 @@
 #include "tests/support/planted_kicks.h"
 #include "tests/support/planted_sights.h"
 #include "tests/support/planted_touches.h"
+#include "tests/support/planted_packets.h"
+#include "tests/support/simulated_robots.h"
 
 namespace {
 
@@ -318,6 +324,50 @@ void sights(int repetitions) {
           if (figure.name == values[k].first) tallies[k].add(figure, values[k].second);
   }
   for (std::size_t k = 0; k < tallies.size(); ++k) tallies[k].print(values[k].first, values[k].second);
+// --- radio ---
+
+void radio(int repetitions, bool ticks, double clock_error) {
+  const robot::tests::PlantedPackets planted{.clock_error = clock_error, .ticks = ticks};
+  Tally delay, loss;
+  for (int i = 0; i < repetitions; ++i) {
+    const auto report = robot::fit::fit_packets(
+        robot::tests::planted_packets(planted, 900 + static_cast<std::uint64_t>(i)), {.delay = 0.1f, .loss = 0.1f});
+    for (const robot::fit::Figure& figure : report.figures) {
+      if (figure.name == "radio.delay") delay.add(figure, planted.delay);
+      if (figure.name == "radio.loss") loss.add(figure, planted.loss);
+    }
+  }
+  const std::string name = ticks ? "simulated packets: " : "packets: ";
+  delay.print(name + "radio.delay", planted.delay);
+  loss.print(name + "radio.loss", planted.loss);
+}
+
+/// The same from recordings of simulated games, each of two minutes.
+void radio_in_games(int repetitions) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("bench-radio-" + std::to_string(getpid()));
+  Tally delay, loss;
+  for (int i = 0; i < repetitions; ++i) {
+    std::filesystem::remove_all(folder);
+    const auto evidence = robot::tests::simulated_robots(folder, {.models = "match,radio.delay=0.15,radio.loss=0.25",
+                                                                  .seconds = 120,
+                                                                  .seed = 300 + static_cast<std::uint64_t>(i),
+                                                                  .place_error = kTruthError,
+                                                                  .clock_error = kLate / 1.96});
+    for (const robot::fit::Figure& figure : robot::fit::fit_radio(evidence, {}).figures) {
+      if (figure.name == "radio.delay") delay.add(figure, 0.15);
+      if (figure.name == "radio.loss") loss.add(figure, 0.25);
+    }
+  }
+  std::filesystem::remove_all(folder);
+  delay.print("games: radio.delay", 0.15);
+  loss.print("games: radio.loss", 0.25);
+}
+
+void radio(int repetitions) {
+  radio(repetitions, true, 0);
+  radio(repetitions, false, kLate / 1.96);
+  radio_in_games(std::min(repetitions, 20));
 }
 
 }  // namespace
@@ -333,5 +383,6 @@ int main(int count, char** words) {
   kicks(repetitions, 0);
   kicks(repetitions, 0.6);
   sights(repetitions);
+  radio(repetitions);
   return 0;
 }
