@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "robot/fit/math/least_squares.h"
 
@@ -99,7 +100,8 @@ Logistic fit_logistic(const std::vector<Sight>& sights, const std::vector<std::s
   double value = likelihood.at(fit.weights);
   Vector slope;
   for (int step = 0; step < kMostNewtonSteps; ++step) {
-    const auto way = solve(likelihood.curvature(fit.weights, slope), slope);
+    auto curvature = likelihood.curvature(fit.weights, slope);
+    const auto way = solve(std::move(curvature), slope);
     if (!way) break;
     // half a step as long as a whole one leads downhill
     double share = 1, next_value = -INFINITY;
