@@ -11,15 +11,16 @@
 namespace robot::fit {
 namespace {
 
-constexpr double kCell = 0.05;  // [m] images within share a probability
-constexpr std::size_t kFewestPasses = 20, kFewestFarPasses = 5, kFewestBeyond = 3, kPassSamples = 300;
+constexpr double kCell = 0.1;  // [m] images within share a probability
+constexpr std::size_t kFewestPasses = 20, kFewestFarPasses = 5, kFewestBeyond = 3, kPassSamples = 200;
 constexpr double kFarShare = 0.75;   // of the range: from there on balls show the probability at its end
 constexpr double kLeastSpan = 1;     // [m] between the distances
 constexpr double kLeastRatio = 1.5;  // of the distances
 constexpr double kLeastFall = 0.25;  // [m] in which the probability falls
 constexpr double kAtBound = 0.1;     // [m] a range that near to its bound is not known
 constexpr double kWidestShare = 0.1, kWidestRange = 1;
-constexpr double kSurest = 1e-6;  // a probability is never nearer to 0 or 1
+constexpr double kCostUnit = 1000;  // a search ends where it gains less than 1e-7 of this unit
+constexpr double kSurest = 1e-6;    // a probability is never nearer to 0 or 1
 
 /// Images at nearly one distance.
 struct Cell {
@@ -94,22 +95,31 @@ bool is_allowed(const DetectionCurve& curve, const Limits& limits) {
          curve.near_range <= limits.most;
 }
 
-DetectionCurve best_curve(const std::vector<Cell>& cells, const DetectionCurve& standard, const Limits& limits) {
+/// Returns the best curve that a search from one of `starts` finds.
+DetectionCurve best_curve(const std::vector<Cell>& cells, const DetectionCurve& standard, const Limits& limits,
+                          const std::vector<DetectionCurve>& starts) {
   const auto value = [&](const Vector& p) {
     const DetectionCurve curve = curve_at(p, standard);
-    return is_allowed(curve, limits) ? cost_of(cells, curve) : INFINITY;
+    return is_allowed(curve, limits) ? cost_of(cells, curve) / kCostUnit : INFINITY;
   };
   DetectionCurve best = standard;
   double least = INFINITY;
-  // a kink has several best places nearby, so the search begins at three
-  for (const double share : {0.2, 0.5, 0.8}) {
-    Vector start{0.8, limits.least + share * (limits.most - limits.least)};
-    Vector steps{-0.2, 0.1 * (limits.most - limits.least)};
-    if (limits.fits_far) start.push_back(0.3), steps.push_back(0.2);
+  for (const DetectionCurve& from : starts) {
+    Vector start{from.near, from.near_range}, steps{-0.2, 0.1 * (limits.most - limits.least)};
+    if (limits.fits_far) start.push_back(from.far), steps.push_back(from.far < 0.5 ? 0.2 : -0.2);
     const Vector there = least_of(value, start, steps);
     if (const double cost = value(there); cost < least) least = cost, best = curve_at(there, standard);
   }
   return best;
+}
+
+/// Returns places to search from. A kink has several best places nearby, so one is not enough.
+std::vector<DetectionCurve> first_starts(const Limits& limits) {
+  std::vector<DetectionCurve> starts;
+  for (const double share : {0.2, 0.5, 0.8})
+    starts.push_back(
+        {.near = 0.8, .far = 0.3, .near_range = limits.least + share * (limits.most - limits.least), .far_range = 0});
+  return starts;
 }
 
 /// The distances of the passes with a free ball, in order.
@@ -209,7 +219,8 @@ void add_figures(const Vector& around, std::size_t passes, const Limits& limits,
     return value < kSurest || value > 1 - kSurest ? std::max(least, half * around[i]) : half * around[i];
   };
   const DetectionCurve& curve = fit.curve;
-  if (curve.near_range > limits.least + kAtBound)
+  const bool falls = curve.near - curve.probability(limits.most) > half * around[3];
+  if (!falls || curve.near_range > limits.least + kAtBound)
     fit.figures.push_back(figure_of("near", "", curve.near, half_of(0, curve.near), 1, kWidestShare));
   else
     fit.kept.push_back(
@@ -217,7 +228,7 @@ void add_figures(const Vector& around, std::size_t passes, const Limits& limits,
                   "a share that falls from %.2f m on",
                   limits.least));
   if (limits.fits_far) fit.figures.push_back(figure_of("far", "", curve.far, half_of(2, curve.far), 1, kWidestShare));
-  if (curve.near_range > limits.least + kAtBound && curve.near_range < limits.most - kAtBound)
+  if (falls && curve.near_range > limits.least + kAtBound && curve.near_range < limits.most - kAtBound)
     fit.figures.push_back(figure_of("near_range", "m", curve.near_range, half * around[1], 30, kWidestRange));
   else
     fit.kept.push_back(
@@ -246,7 +257,8 @@ DetectionCurve detection_of(const Sights& sights, const std::vector<Group>& pass
   if (const auto farther = farther_range(sights, passes, standard.far_range)) start.far_range = farther->value;
   const auto cells = cells_of(sights, passes, start.far_range);
   if (obstacle(cells)) return standard;
-  return best_curve(joined_cells(cells, all_of(cells.size())), start, limits_of(mean_distances(cells), start, nullptr));
+  const Limits limits = limits_of(mean_distances(cells), start, nullptr);
+  return best_curve(joined_cells(cells, all_of(cells.size())), start, limits, first_starts(limits));
 }
 
 DetectionFit fit_detection(const Sights& sights, const std::vector<Group>& passes, const DetectionCurve& standard) {
@@ -261,11 +273,12 @@ DetectionFit fit_detection(const Sights& sights, const std::vector<Group>& passe
   }
   const std::vector<double> distances = mean_distances(cells);
   const Limits limits = limits_of(distances, start, &fit.kept);
-  fit.curve = best_curve(joined_cells(cells, all_of(cells.size())), start, limits);
+  fit.curve = best_curve(joined_cells(cells, all_of(cells.size())), start, limits, first_starts(limits));
+  const std::vector<DetectionCurve> starts{fit.curve, first_starts(limits)[1]};
   const Vector around = deviations_of(
       resampled(single_groups(cells.size()), kPassSamples, [&](const std::vector<std::size_t>& chosen) -> Vector {
-        const DetectionCurve curve = best_curve(joined_cells(cells, chosen), start, limits);
-        return {curve.near, curve.near_range, curve.far};
+        const DetectionCurve curve = best_curve(joined_cells(cells, chosen), start, limits, starts);
+        return {curve.near, curve.near_range, curve.far, curve.near - curve.probability(limits.most)};
       }));
   add_figures(around, cells.size(), limits, fit);
   if (farther) fit.figures.push_back(*farther);
