@@ -134,14 +134,20 @@ std::vector<double> mean_distances(const std::vector<std::vector<PassCell>>& pas
   return distances;
 }
 
-/// Returns the distances of the farthest ball seen in each pass, in order, of those beyond the range of the default.
+/// Returns the distances of the farthest ball seen in each pass, in order, of those beyond the range of the default. A false ball in
+/// front of one that is out of range may be taken for it, so a pass needs several.
 std::vector<double> seen_beyond(const Sights& sights, const std::vector<Group>& passes, double far_range) {
   std::vector<double> beyond;
   for (const Group& pass : passes) {
     double farthest = 0;
-    for (const std::size_t i : pass)
-      if (sights.sights[i].seen) farthest = std::max(farthest, sights.sights[i].distance);
-    if (farthest > far_range + 3 * sights.error) beyond.push_back(farthest);
+    std::size_t images = 0;
+    for (const std::size_t i : pass) {
+      const Sight& sight = sights.sights[i];
+      if (!sight.seen || sight.distance <= far_range + 3 * sights.error) continue;
+      farthest = std::max(farthest, sight.distance);
+      ++images;
+    }
+    if (images >= kFewestBeyond) beyond.push_back(farthest);
   }
   std::ranges::sort(beyond);
   return beyond;

@@ -33,9 +33,9 @@ struct DetectionFit {
 
 /// Fits the curve to the balls that no robot hides, by maximum likelihood. Intervals are those of resampled passes.
 ///
-/// Nothing is fitted with fewer than 20 passes, nor if no two distances differ by a metre and a half of the nearest. `far` needs
-/// balls at three quarters of its range. `near_range` needs a share that falls within the distances that were seen. `far_range` stays, unless
-/// balls were seen beyond it in three passes.
+/// Nothing is fitted with fewer than 20 passes, nor if the distances differ by less than a metre or by less than half of the nearest.
+/// `far` needs balls at three quarters of its range. `near_range` needs a share that falls within the distances that were seen.
+/// `far_range` stays, unless three passes show balls beyond it, each in three images.
 DetectionFit fit_detection(const Sights& sights, const std::vector<Group>& passes, const DetectionCurve& standard);
 
 /// As fit_detection() on the chosen passes, but without intervals.

@@ -30,9 +30,9 @@ struct FalseBalls {
 
 /// Finds the false balls, and the time in which they would have been noticed.
 ///
-/// The simulator draws a false ball only if the image shows no true one, at a range from 0.3 m to the end of the detection's, at any
-/// bearing in view; one above or below the image is dropped. So an image without the true ball counts as much time as the share of
-/// these places that is in the image and is not taken for the true ball.
+/// The simulator draws a false ball only if the image shows no true one. Its range is 0.3 m up to the end of the detection's, its
+/// bearing any in view; one above or below the image is dropped. So an image without the true ball counts by the share of these places
+/// that is in the image and is not taken for the true ball.
 FalseBalls false_balls_in(const Looks& looks, const sim::Models& base);
 
 /// Fits `ball_filter.false_per_second`: false percepts per second of those images. A false ball in successive images counts once for

@@ -23,8 +23,8 @@ struct Logistic {
 
 Logistic::Features features_of(const Sight& sight);
 
-/// Fits the weights to the chosen sights by penalised maximum likelihood. The penalty is that of a standard deviation of 10 for the
-/// weight of a feature in its own standard deviations: it keeps a weight finite if a feature decides alone.
+/// Fits the weights to the chosen sights by penalised maximum likelihood. The penalty is that of weights with a standard deviation
+/// of 10, each for one standard deviation of its feature. It keeps a weight finite if a feature decides alone.
 Logistic fit_logistic(const std::vector<Sight>& sights, const std::vector<std::size_t>& chosen);
 
 /// Returns one standard deviation of each weight. Sights of one pass share their luck (Liang and Zeger 1986: the sandwich of the

@@ -6,7 +6,7 @@
 namespace robot::fit {
 namespace {
 
-constexpr double kSloppy = 0.05;  // of the length of an axis that is none any more
+constexpr double kSloppy = 0.05;  // error of the length of a unit vector
 
 /// Returns the smaller way to either border from an angle that grows towards the second.
 double way_inside(double angle, double to_first, double to_second) {

@@ -23,8 +23,8 @@ struct View {
     double across = 0, upright = 0;  // [rad]
   };
 
-  /// Returns where a point [m, robot] is in the view. The view is that of the image and also that of the simulator, which ends at
-  /// bearings and elevations: they differ in the corners, where only the part of both counts.
+  /// Returns where a point [m, robot] is in the view. That is the part that both the image and the simulator's view show: the
+  /// simulator's ends at bearings and elevations, so they differ in the corners.
   Inside inside(double point_x, double point_y, double point_z) const;
 };
 

@@ -10,9 +10,9 @@ namespace robot::fit {
 
 /// Fits from `vision`, `camera_top_matrix`, `camera_bottom_matrix` and the truth whether a ball in view is seen.
 ///
-/// Figures: `ball_detection.near`, `.far`, `.near_range` and seldom `.far_range`, as the simulator uses them, by the balls that no
-/// robot hides; and the weights `visibility.…` of a logistic model in distance, bearing from the optical axis, their squares, speed
-/// of the head and hiding, which are only reported. Intervals cover the luck of whole passes.
+/// `ball_detection.near`, `.far`, `.near_range` and seldom `.far_range` are those of the simulator, by the balls that no robot hides.
+/// The weights `visibility.…` of a logistic model are only reported. Its features are distance, bearing from the optical axis, their
+/// squares, speed of the head and hiding. Intervals cover the luck of whole passes.
 /// The truth needs headings. `base` has the view's noise, the sizes, and the detection to compare with.
 Report fit_visibility(const Evidence& evidence, const sim::Models& base);
 
