@@ -9,6 +9,7 @@
 
 #include "robot/fit/visibility/along.h"
 #include "robot/fit/visibility/detection.h"
+#include "robot/fit/visibility/false_balls.h"
 #include "robot/fit/visibility/logistic.h"
 #include "robot/fit/visibility/scoring.h"
 #include "robot/fit/visibility/view.h"
