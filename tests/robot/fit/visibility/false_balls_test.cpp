@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "robot/fit/visibility/poisson.h"
-#include "tests/support/planted_sights.h"
+#include "tests/support/planted_looks.h"
 
 namespace robot::fit {
 namespace {

@@ -13,7 +13,7 @@ namespace robot::tests {
 /// Returns models with a Nao's camera, noise and detection: 0.9 up to 3.5 m, 0.15 at 6 m, and 0.015 false balls a second.
 sim::Models planted_base();
 
-struct PlantedSights {
+struct PlantedDetections {
   double near = 0.9, far = 0.15, near_range = 3.5, far_range = 6;  // as sim::perception::Detection
   double nearest = 0.4, farthest = 6.5;                            // [m] of the passes
   double truth_error = 0.02;                                       // [m] of each distance
@@ -22,7 +22,7 @@ struct PlantedSights {
 };
 
 /// Returns the sights of two recordings, the same for the same seed.
-fit::Sights planted_sights(const PlantedSights& planted, std::uint64_t seed);
+fit::Sights planted_looks(const PlantedDetections& planted, std::uint64_t seed);
 
 /// Returns sights of one recording that follow the weights of a logistic model, 40 in each pass.
 fit::Sights planted_logistic(const fit::Logistic::Features& weights, std::size_t passes, std::uint64_t seed);
