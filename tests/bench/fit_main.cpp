@@ -34,6 +34,8 @@
 #include "robot/fit/rebounds/rebounds.h"
 #include "robot/fit/radio/radio.h"
 #include "robot/fit/rolling/rolling.h"
+#include "robot/fit/visibility/false_balls.h"
+#include "robot/fit/visibility/visibility.h"
 #include "sim/io/matchup.h"
 #include "sim/match/step.h"
 #include "sim/statistics/sample.h"
@@ -43,6 +45,7 @@
 #include "tests/support/planted_touches.h"
 #include "tests/support/planted_packets.h"
 #include "tests/support/simulated_robots.h"
+#include "tests/support/planted_looks.h"
 
 namespace {
 
@@ -368,6 +371,48 @@ void radio(int repetitions) {
   radio(repetitions, true, 0);
   radio(repetitions, false, kLate / 1.96);
   radio_in_games(std::min(repetitions, 20));
+// --- which balls are seen ---
+
+/// Adds the figures of a report whose values are planted.
+void add_planted(const robot::fit::Report& report, const std::vector<std::pair<std::string, double>>& values,
+                 std::vector<Tally>& tallies) {
+  tallies.resize(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    for (const robot::fit::Figure& figure : report.figures)
+      if (figure.name == values[k].first) tallies[k].add(figure, values[k].second);
+}
+
+void print_planted(const std::vector<std::pair<std::string, double>>& values, const std::vector<Tally>& tallies) {
+  for (std::size_t k = 0; k < tallies.size(); ++k)
+    if (!tallies[k].bias.empty()) tallies[k].print(values[k].first, values[k].second);
+}
+
+void visibility(int repetitions) {
+  const sim::Models base = robot::tests::planted_base();
+  const std::vector<std::pair<std::string, double>> curve{
+      {"ball_detection.near", 0.8}, {"ball_detection.far", 0.3}, {"ball_detection.near_range", 2.5}};
+  const robot::fit::Logistic::Features weights{2, 0.3, -0.15, -1, 0.5, -0.4, -1.5};
+  const std::vector<std::pair<std::string, double>> logistic{{"visibility.constant", weights[0]},
+                                                             {"visibility.distance", weights[1]},
+                                                             {"visibility.distance_squared", weights[2]},
+                                                             {"visibility.bearing", weights[3]},
+                                                             {"visibility.bearing_squared", weights[4]},
+                                                             {"visibility.head_speed", weights[5]},
+                                                             {"visibility.hidden", weights[6]}};
+  const std::vector<std::pair<std::string, double>> wrong{{"ball_filter.false_per_second", 0.05}};
+  std::vector<Tally> of_curve, of_logistic, of_wrong;
+  for (int i = 0; i < repetitions; ++i) {
+    const auto seed = 900 + static_cast<std::uint64_t>(i);
+    add_planted(robot::fit::visibility_of(
+                    robot::tests::planted_looks({.near = 0.8, .far = 0.3, .near_range = 2.5}, seed), base),
+                curve, of_curve);
+    add_planted(robot::fit::visibility_of(robot::tests::planted_logistic(weights, 150, seed), base), logistic,
+                of_logistic);
+    add_planted(robot::fit::false_balls_of(robot::tests::planted_looks({}, seed), base), wrong, of_wrong);
+  }
+  print_planted(curve, of_curve);
+  print_planted(logistic, of_logistic);
+  print_planted(wrong, of_wrong);
 }
 
 }  // namespace
@@ -384,5 +429,6 @@ int main(int count, char** words) {
   kicks(repetitions, 0.6);
   sights(repetitions);
   radio(repetitions);
+  visibility(repetitions);
   return 0;
 }
