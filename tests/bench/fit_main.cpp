@@ -404,7 +404,7 @@ void visibility(int repetitions) {
   for (int i = 0; i < repetitions; ++i) {
     const auto seed = 900 + static_cast<std::uint64_t>(i);
     add_planted(robot::fit::visibility_of(
-                    robot::tests::planted_looks({.near = 0.8, .far = 0.3, .near_range = 2.5}, seed), base),
+                    robot::tests::planted_detections({.near = 0.8, .far = 0.3, .near_range = 2.5}, seed), base),
                 curve, of_curve);
     add_planted(robot::fit::visibility_of(robot::tests::planted_logistic(weights, 150, seed), base), logistic,
                 of_logistic);

@@ -39,7 +39,7 @@ sim::Models planted_base() {
   return base;
 }
 
-fit::Sights planted_looks(const PlantedDetections& planted, std::uint64_t seed) {
+fit::Sights planted_detections(const PlantedDetections& planted, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform;

@@ -22,7 +22,7 @@ struct PlantedDetections {
 };
 
 /// Returns the sights of two recordings, the same for the same seed.
-fit::Sights planted_looks(const PlantedDetections& planted, std::uint64_t seed);
+fit::Sights planted_detections(const PlantedDetections& planted, std::uint64_t seed);
 
 /// Returns sights of one recording that follow the weights of a logistic model, 40 in each pass.
 fit::Sights planted_logistic(const fit::Logistic::Features& weights, std::size_t passes, std::uint64_t seed);

@@ -21,7 +21,7 @@
 namespace robot::fit {
 namespace {
 
-using tests::planted_base, tests::planted_logistic, tests::planted_looks, tests::PlantedDetections;
+using tests::planted_base, tests::planted_logistic, tests::planted_detections, tests::PlantedDetections;
 
 const Figure* figure_in(const std::vector<Figure>& figures, const std::string& name) {
   const auto figure = std::ranges::find(figures, name, &Figure::name);
@@ -53,7 +53,7 @@ TEST(Detection, IntervalsCoverThePlantedCurve) {
   int covered[3] = {};
   double bias[3] = {};
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    const DetectionFit fit = detection_in(planted_looks(planted, seed));
+    const DetectionFit fit = detection_in(planted_detections(planted, seed));
     const std::pair<const char*, double> values[] = {
         {"ball_detection.near", 0.8}, {"ball_detection.far", 0.3}, {"ball_detection.near_range", 2.5}};
     for (int k = 0; k < 3; ++k) {
@@ -71,7 +71,7 @@ TEST(Detection, IntervalsCoverThePlantedCurve) {
 }
 
 TEST(Detection, HiddenBallsDoNotCount) {
-  Sights sights = planted_looks({}, 3);
+  Sights sights = planted_detections({}, 3);
   const DetectionFit before = detection_in(sights);
   std::vector<Sight> more;
   for (const Sight& sight : sights.sights) {
@@ -85,44 +85,44 @@ TEST(Detection, HiddenBallsDoNotCount) {
 }
 
 TEST(Detection, DistancesThatAreAlikeCannotTellTheParametersApart) {
-  const DetectionFit fit = detection_in(planted_looks({.nearest = 1, .farthest = 1.4}, 1));
+  const DetectionFit fit = detection_in(planted_detections({.nearest = 1, .farthest = 1.4}, 1));
   EXPECT_TRUE(fit.figures.empty());
   EXPECT_TRUE(says(fit.kept, "near, far and near_range cannot be told apart: expected distances that differ by 1.0 m"));
   EXPECT_EQ(fit.curve.near, curve_of(planted_base().perception.ball).near);
 }
 
 TEST(Detection, WithoutFarBallsTheFarEndStays) {
-  const DetectionFit fit = detection_in(planted_looks({.near_range = 2, .farthest = 4}, 1));
+  const DetectionFit fit = detection_in(planted_detections({.near_range = 2, .farthest = 4}, 1));
   EXPECT_FALSE(figure_in(fit.figures, "ball_detection.far"));
   EXPECT_TRUE(figure_in(fit.figures, "ball_detection.near"));
   EXPECT_TRUE(says(fit.kept, "ball_detection.far: expected at least 5 passes with a ball at 4.5 m or farther, got 0"));
 }
 
 TEST(Detection, AShareThatDoesNotFallHasNoNearRange) {
-  const DetectionFit fit = detection_in(planted_looks({.near = 0.7, .far = 0.7}, 2));
+  const DetectionFit fit = detection_in(planted_detections({.near = 0.7, .far = 0.7}, 2));
   EXPECT_FALSE(figure_in(fit.figures, "ball_detection.near_range"));
   EXPECT_TRUE(says(fit.kept, "ball_detection.near_range: expected a share that begins to fall at "));
   EXPECT_NEAR(figure_in(fit.figures, "ball_detection.near")->value, 0.7, 0.05);
 }
 
 TEST(Detection, BallsSeenBeyondTheRangeExtendIt) {
-  const DetectionFit fit = detection_in(planted_looks({.far_range = 8, .farthest = 9}, 1));
+  const DetectionFit fit = detection_in(planted_detections({.far_range = 8, .farthest = 9}, 1));
   const Figure* range = figure_in(fit.figures, "ball_detection.far_range");
   ASSERT_TRUE(range);
   EXPECT_LE(range->low, 8);
   EXPECT_GE(range->high, 8);
-  EXPECT_FALSE(figure_in(detection_in(planted_looks({}, 1)).figures, "ball_detection.far_range"));
+  EXPECT_FALSE(figure_in(detection_in(planted_detections({}, 1)).figures, "ball_detection.far_range"));
 }
 
 TEST(Detection, SingleFalseBallsDoNotExtendTheRange) {
-  Sights sights = planted_looks({}, 1);
+  Sights sights = planted_detections({}, 1);
   const std::vector<Group> passes = passes_of(sights.sights);
   for (const Group& pass : passes) sights.sights[pass.front()].seen = true;
   EXPECT_FALSE(figure_in(detection_in(sights).figures, "ball_detection.far_range"));
 }
 
 TEST(Detection, TooFewPassesAreRefused) {
-  const DetectionFit fit = detection_in(planted_looks({.hidden = 0, .passes = 12}, 1));
+  const DetectionFit fit = detection_in(planted_detections({.hidden = 0, .passes = 12}, 1));
   EXPECT_TRUE(fit.figures.empty());
   EXPECT_TRUE(says(fit.kept,
                    "ball_detection: expected at least 20 passes with a free ball in view, 10 with a seen one and 10 "
@@ -163,7 +163,8 @@ TEST(Logistic, PassesThatShareTheirLuckWidenTheInterval) {
 }
 
 TEST(Visibility, BothModelsBeatAConstantAndTheDefault) {
-  const Report report = visibility_of(planted_looks({.near = 0.7, .far = 0.5, .near_range = 1.5}, 5), planted_base());
+  const Report report =
+      visibility_of(planted_detections({.near = 0.7, .far = 0.5, .near_range = 1.5}, 5), planted_base());
   for (const char* model : {"log_loss_detection", "log_loss_logistic"}) {
     EXPECT_LT(score_in(report, model), score_in(report, "log_loss_constant")) << model;
     EXPECT_LT(score_in(report, model), score_in(report, "log_loss_default")) << model;
@@ -178,7 +179,7 @@ TEST(Visibility, BothModelsBeatAConstantAndTheDefault) {
 }
 
 TEST(Visibility, ThePredictionsAreReliable) {
-  const Sights sights = planted_looks({}, 7);
+  const Sights sights = planted_detections({}, 7);
   const SightScores scores = scores_of(sights, passes_of(sights.sights), curve_of(planted_base().perception.ball));
   for (const ReliabilityBin& bin : reliability(sights.sights, scores.models[2].probabilities))
     if (bin.images > 300) {
