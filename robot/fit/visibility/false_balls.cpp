@@ -23,7 +23,7 @@ double overlap(double from, double to, double low, double high) {
 }
 
 /// Returns the share of the false places that a robot would see and that would be noticed.
-double noticed_share(const Look& look, const BallPlaces& places, double far_range) {
+double noticed_share(const Look& look, const SightCounts& places, double far_range) {
   const double low = std::max(kNearestFalse, look.nearest), high = std::min(far_range, look.farthest);
   const double whole = far_range - kNearestFalse;
   if (!(high > low) || !(whole > 0) || !(look.width > 0)) return 0;
@@ -104,7 +104,7 @@ FalseBalls false_balls_in(const Looks& looks, const sim::Models& base) {
   const SightNoise noise = noise_of(looks, base);
   FalseBalls found;
   for (const Look& look : looks.looks) {
-    const BallPlaces places = ball_places(look, noise);
+    const SightCounts places = ball_places(look, noise);
     if (look.has_ball && places.contain(look.seen_x, look.seen_y)) {
       found.seen.push_back(ball_of(look));
       continue;

@@ -78,18 +78,18 @@ SightNoise noise_of(const Looks& looks, const sim::Models& base) {
   return noise;
 }
 
-bool BallPlaces::contain(double x, double y) const {
+bool SightCounts::contain(double x, double y) const {
   const double range = std::hypot(x, y);
   return range >= nearest && range <= farthest &&
          std::abs(std::remainder(std::atan2(y, x) - bearing, 2 * M_PI)) <= reach;
 }
 
-BallPlaces ball_places(const Look& look, const SightNoise& noise) {
+SightCounts ball_places(const Look& look, const SightNoise& noise) {
   const double tilt = std::hypot(look.walking ? noise.walking : noise.standing, placed_elevation(look));
   const double beside = std::hypot(noise.bearing[look.recording], look.placed / std::max(look.distance, 0.01));
   const double elevation = std::atan2(look.height, look.distance);
   const double low = elevation + kFalse * tilt, high = elevation - kFalse * tilt;
-  BallPlaces places{.bearing = look.bearing};
+  SightCounts places{.bearing = look.bearing};
   places.nearest = std::max(0., std::min(look.distance - kFalseWay, low < M_PI_2 ? look.height / std::tan(low) : 0));
   places.farthest = std::max(look.distance + kFalseWay, high > 0 ? look.height / std::tan(high) : INFINITY);
   places.reach = std::min(M_PI, std::max(kFalse * beside, kFalseWay / std::max(look.distance, 0.01)));

@@ -21,14 +21,14 @@ struct SightNoise {
 SightNoise noise_of(const Looks& looks, const sim::Models& base);
 
 /// The places of percepts that are taken for the ball: those within five standard deviations or half a metre.
-struct BallPlaces {
+struct SightCounts {
   double nearest = 0, farthest = 0;  // [m] from the robot
   double bearing = 0, reach = 0;     // [rad] the middle, and the way to either side
 
   bool contain(double x, double y) const;
 };
 
-BallPlaces ball_places(const Look& look, const SightNoise& noise);
+SightCounts ball_places(const Look& look, const SightNoise& noise);
 
 /// Reports whether the ball in this image is the true one.
 bool is_true_ball(const Look& look, const SightNoise& noise);
