@@ -14,14 +14,14 @@
 namespace robot::fit {
 namespace {
 
-constexpr double kDriveTick = 1. / 30;            // [s]
-constexpr double kLongestDrive = 20;              // [s] of a drive
-constexpr double kSettlingTime = 1.5;            // [s] a start with its delay, or a stop
-constexpr double kShortestDrive = 1;              // [s] after that
-constexpr double kCommandHeld = 0.5;                // [s] that a command is in force without a repetition
-constexpr double kIdleKept = 2;                  // [s] of standing that a drive keeps
+constexpr double kDriveTick = 1. / 30;                         // [s]
+constexpr double kLongestDrive = 20;                           // [s] of a drive
+constexpr double kSettlingTime = 1.5;                          // [s] a start with its delay, or a stop
+constexpr double kShortestDrive = 1;                           // [s] after that
+constexpr double kCommandHeld = 0.5;                           // [s] that a command is in force without a repetition
+constexpr double kIdleKept = 2;                                // [s] of standing that a drive keeps
 constexpr double kBeforeDisturbed = 0.1, kAfterDisturbed = 1;  // [s] around a disturbed moment
-constexpr double kCarried = 0.3;                // [m] between two places: the robot was carried
+constexpr double kCarried = 0.3;                               // [m] between two places: the robot was carried
 constexpr std::size_t kScatterSamples = 20'000;
 
 double wrapped_angle(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
@@ -112,7 +112,8 @@ std::optional<Drive> drive_in(const std::vector<TimedCommand>& commands, const l
   auto place = std::ranges::lower_bound(path, drive.at, {}, &lab::PlaceAt::at);
   const double ticks = static_cast<double>(drive.commands.size());
   for (; place != path.end() && place->at <= span.to; ++place) {
-    DrivePose pose{.tick = (place->at - drive.at) / kDriveTick, .x = place->x, .y = place->y, .heading = place->heading};
+    DrivePose pose{
+        .tick = (place->at - drive.at) / kDriveTick, .x = place->x, .y = place->y, .heading = place->heading};
     if (pose.tick > ticks) break;
     if (!drive.poses.empty()) {
       const double before = drive.poses.back().heading;

@@ -42,7 +42,8 @@ std::array<Luck, kLucks> lucks_of(const Walk& walk) {
   static const std::array<float, kLucks> kLuckDeviates = luck_deviates();
   std::array<Luck, kLucks> lucks;
   for (std::size_t i = 0; i < kLucks; ++i) {
-    const float x = kLuckDeviates[i], y = kLuckDeviates[(7 * i + 3) % kLucks], turn = kLuckDeviates[(5 * i + 9) % kLucks];
+    const float x = kLuckDeviates[i], y = kLuckDeviates[(7 * i + 3) % kLucks],
+                turn = kLuckDeviates[(5 * i + 9) % kLucks];
     lucks[i] = {{std::max(0.f, 1 + walk.speed_noise * x), std::max(0.f, 1 + walk.speed_noise * y)},
                 walk.turn_noise * turn};
   }
@@ -170,7 +171,8 @@ std::vector<WalkRates> mean_walk(const Walk& walk, const std::vector<Command>& c
       if (begun >= 1) begun -= 1;
       begun += a_tick;
       const WalkRates moved = legs.move(commands[i], begins);
-      rates[i].x += moved.x / kStepPhases, rates[i].y += moved.y / kStepPhases, rates[i].turn += moved.turn / kStepPhases;
+      rates[i].x += moved.x / kStepPhases, rates[i].y += moved.y / kStepPhases,
+          rates[i].turn += moved.turn / kStepPhases;
     }
   }
   return rates;

@@ -9,7 +9,7 @@ namespace robot::fit {
 namespace {
 
 constexpr std::size_t kPacePoints = 400, kSpreadPoints = 91;
-constexpr double kWidestSpread = 0.9;       // as in the models
+constexpr double kWidestSpread = 0.9;     // as in the models
 constexpr double kExactPace = 0.002;      // deviation of a pace that is known exactly
 constexpr double kLikelihoodDrop = 1.92;  // of a 95 % interval of one parameter
 
@@ -20,11 +20,11 @@ double paces_likelihood(const Vector& paces, const Vector& deviations, double fa
   double sum = 0;
   for (std::size_t i = 0; i < paces.size(); ++i) {
     const double deviation = deviations[i], slowest = fastest * (1 - spread);
-    const double density =
-        fastest - slowest > 0.1 * deviation
-            ? (normal_share_below((fastest - paces[i]) / deviation) - normal_share_below((slowest - paces[i]) / deviation)) /
-                  (fastest - slowest)
-            : std::exp(-std::pow((fastest - paces[i]) / deviation, 2) / 2) / (deviation * 2.5066);
+    const double density = fastest - slowest > 0.1 * deviation
+                               ? (normal_share_below((fastest - paces[i]) / deviation) -
+                                  normal_share_below((slowest - paces[i]) / deviation)) /
+                                     (fastest - slowest)
+                               : std::exp(-std::pow((fastest - paces[i]) / deviation, 2) / 2) / (deviation * 2.5066);
     sum += std::log(std::max(1e-300, density));
   }
   return sum;

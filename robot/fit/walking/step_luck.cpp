@@ -15,12 +15,12 @@ namespace {
 
 using sim::motion::Command, sim::motion::Walk;
 
-constexpr std::size_t kShortBlocks = 2, kLongBlocks = 6;                                    // [blocks]
+constexpr std::size_t kShortBlocks = 2, kLongBlocks = 6;                                        // [blocks]
 constexpr double kLongerBy = static_cast<double>(kLongBlocks - kShortBlocks) * kBlockDuration;  // [s]
-constexpr double kSteady = 0.15;   // share of the speed by which a steady gait may change
-constexpr double kSlowest = 0.05;  // [m/s]
-constexpr double kBentMost = 0.7;  // [rad] turn within a window whose speed counts
-constexpr double kUnluckySquare = 36;    // times the expected square: something else than luck
+constexpr double kSteady = 0.15;       // share of the speed by which a steady gait may change
+constexpr double kSlowest = 0.05;      // [m/s]
+constexpr double kBentMost = 0.7;      // [rad] turn within a window whose speed counts
+constexpr double kUnluckySquare = 36;  // times the expected square: something else than luck
 constexpr std::size_t kLuckPoints = 26;
 constexpr double kFewestLuckyDrives = 4;
 
@@ -33,7 +33,7 @@ constexpr LuckGrid kSpeeds{0.5}, kTurns{1};
 
 /// What the windows of one drive say.
 struct LuckWindows {
-  double squares = 0;                    // [m²] or [rad²] of the long windows less those of the short ones
+  double squares = 0;                          // [m²] or [rad²] of the long windows less those of the short ones
   std::array<double, kLuckPoints> expected{};  // of that, for each luck of the grid
   double seconds = 0;
 };
@@ -86,8 +86,8 @@ StepVariances variances_of(Walk walk, const Command& command) {
 }
 
 /// Adds the squares of a window to `windows` unless they are out of all proportion.
-void add_window(double step, double longer, double shorter, double scatter, const std::array<double, kLuckPoints>& variance,
-                double assumed, LuckWindows& windows) {
+void add_window(double step, double longer, double shorter, double scatter,
+                const std::array<double, kLuckPoints>& variance, double assumed, LuckWindows& windows) {
   const double expected = assumed * step * kLongBlocks * kBlockDuration + scatter;
   if (longer > kUnluckySquare * expected || shorter > kUnluckySquare * expected) return;
   windows.squares += longer - shorter;
@@ -97,7 +97,8 @@ void add_window(double step, double longer, double shorter, double scatter, cons
 
 /// Returns the value between two points of the grid at which the variances are those of `luck`.
 double at_luck(const std::array<double, kLuckPoints>& values, const LuckGrid& grid, double luck) {
-  const double place = std::clamp(luck / grid.most * (kLuckPoints - 1), 0., static_cast<double>(kLuckPoints - 1) - 1e-9);
+  const double place =
+      std::clamp(luck / grid.most * (kLuckPoints - 1), 0., static_cast<double>(kLuckPoints - 1) - 1e-9);
   const auto i = static_cast<std::size_t>(place);
   return values[i] + (place - static_cast<double>(i)) * (values[i + 1] - values[i]);
 }
@@ -127,7 +128,8 @@ DriveWindows windows_in(const WalkProblem& problem, const DriveTrack& track, con
     double shorter = 0, shorter_turn = 0;
     for (std::size_t i = from; i + kShortBlocks <= to; ++i) {
       const BlockStep step = missed(i, i + kShortBlocks);
-      shorter += along(step) / (kLongBlocks - kShortBlocks + 1), shorter_turn += step.turn * step.turn / (kLongBlocks - kShortBlocks + 1);
+      shorter += along(step) / (kLongBlocks - kShortBlocks + 1),
+          shorter_turn += step.turn * step.turn / (kLongBlocks - kShortBlocks + 1);
     }
     const BlockStep longer = missed(from, to);
     const StepVariances variances = variances_of(walk, command);

@@ -13,10 +13,10 @@ using sim::motion::Walk;
 
 constexpr double kPaceDeviation = 0.3;  // of the logarithm of a robot's pace, beside the mean robot's
 constexpr int kMostDescents = 25, kFirstDescents = 3;
-constexpr double kOutlyingStep = 4;      // [standard deviations] residuals beyond count less
+constexpr double kOutlyingStep = 4;       // [standard deviations] residuals beyond count less
 constexpr double kSlopeStep = 0.02;       // of a logarithm, of the cost of turning
 constexpr double kDelaySlopeStep = 0.01;  // [s]
-constexpr double kSmallGain = 1e-3;      // of a standard deviation: a step that is not worth another round
+constexpr double kSmallGain = 1e-3;       // of a standard deviation: a step that is not worth another round
 constexpr double kFewestShowing = 3;
 constexpr std::size_t kScanned = 60;  // drives of the search for a start
 
@@ -73,7 +73,7 @@ bool both_seen(const DriveTrack& track, std::size_t block) {
 }
 
 StepDeviation step_deviation_of(const WalkProblem& problem, const DriveTrack& track, const std::vector<BlockMean>& path,
-                           std::size_t block, const Walk& walk) {
+                                std::size_t block, const Walk& walk) {
   const double shares =
       1. / static_cast<double>(track.places_in(block)) + 1. / static_cast<double>(track.places_in(block + 1));
   const double way = std::hypot(path[block + 1].x - path[block].x, path[block + 1].y - path[block].y);
@@ -374,7 +374,9 @@ void search_start(const WalkProblem& problem, WalkFit& fit) {
 
 }  // namespace
 
-double WalkState::value(WalkPart part) const { return is_logarithm(part) ? std::exp(parameters[part]) : parameters[part]; }
+double WalkState::value(WalkPart part) const {
+  return is_logarithm(part) ? std::exp(parameters[part]) : parameters[part];
+}
 
 Walk WalkState::walk_of(std::size_t robot, const Walk& base) const {
   Walk walk = base;

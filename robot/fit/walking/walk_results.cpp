@@ -164,7 +164,8 @@ Picture speed_picture(const FittedWalk& fitted, const Achieved& achieved) {
   picture.marks.push_back(walk_line_of({-most, most}, {-most, most}, Mark::Role::other, "as commanded"));
   picture.marks.push_back(walk_dots_of(achieved.ahead_asked, achieved.ahead, Mark::Role::truth, "ahead, back"));
   if (!achieved.aside.empty())
-    picture.marks.push_back(walk_dots_of(achieved.aside_asked, achieved.aside, Mark::Role::robot, "to the left, right"));
+    picture.marks.push_back(
+        walk_dots_of(achieved.aside_asked, achieved.aside, Mark::Role::robot, "to the left, right"));
   picture.marks.push_back(fitted_line(
       walk, most, "fitted, mean robot", [](float x) { return speed_command(x, 0, 0); },
       [](const WalkRates& rates) { return rates.x; }));
@@ -307,7 +308,7 @@ void add_walk_results(const FittedWalk& fitted, const Drives& drives, const sim:
   report.tables.push_back({"walk", std::move(table)});
   if (by_fit.places.empty()) return;
   report.results.push_back(
-      {.title = formatted("WalkErrors after 1 s of walking, %zu seconds, each fifth of the drives held out",
+      {.title = formatted("Errors after 1 s of walking, %zu seconds, each fifth of the drives held out",
                           by_fit.places.size()),
        .head = {"", "mean [cm]", "median [cm]", "95 % [cm]", "turn [°]"},
        .rows = {by_fit.row("fitted walk"), by_models.row("default models"), by_command.row("goes where commanded")}});
