@@ -113,6 +113,7 @@ WalkedDrill walked_drill(const PlantedWalks& planted, int robot, std::uint64_t s
       .model = planted.models.motion, .effects = planted.models.effects, .ball = planted.models.ball};
   WalkedDrill drill;
   Drill script(planted, random());
+  const double late = planted.late * normal(random);
   HaltNotes halts;
   sim::Body& body = world.bodies[robot];
   for (int i = 0; i < static_cast<int>(planted.seconds * 30); ++i) {
@@ -123,7 +124,7 @@ WalkedDrill walked_drill(const PlantedWalks& planted, int robot, std::uint64_t s
          .y = hand * (body.position.y + planted.truth_error * normal(random)),
          .heading = std::remainder(hand * (body.heading + planted.heading_error * normal(random)), 6.283185307179586)});
     const Command command = script.next(body);
-    drill.commands.push_back({.at = at + planted.late, .command = hand > 0 ? command : mirrored_command(command)});
+    drill.commands.push_back({.at = at + late, .command = hand > 0 ? command : mirrored_command(command)});
     const sim::Body before = body;
     sim::motion::move(params, command, robot, 1, world);
     ++world.tick;

@@ -21,9 +21,9 @@ struct PlantedWalks {
   bool ahead_only = false;      // the drill only walks ahead, with stops
   double truth_error = 0.02;    // [m] one standard deviation of each coordinate
   double heading_error = 0.02;  // [rad]
-  double late = 0;              // [s] by which the commands seem to come later than they do
-  double clock_deviation = 0;   // [s] that each recording reports
-  bool mirrored = false;        // the field, the commands and the luck of the truth's errors
+  double late = 0;             // [s] one standard deviation by which a robot's commands seem to come later than they do
+  double clock_deviation = 0;  // [s] that each recording reports
+  bool mirrored = false;       // the field, the commands and the luck of the truth's errors
 };
 
 /// One robot of a drill.

@@ -49,7 +49,7 @@ struct Drives {
   double disturbed = 0;                 // [s] left out: a kick, a fall, a penalty, or another robot within half a metre
 };
 
-/// What a robot did besides walking, and its neighbours: all that a drive avoids.
+/// The times that a drive avoids.
 struct DriveLimits {
   std::vector<double> disturbed;  // [s] moments, ordered, clock of the truth
 };

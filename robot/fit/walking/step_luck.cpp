@@ -31,7 +31,7 @@ struct LuckGrid {
 };
 constexpr LuckGrid kSpeeds{0.5}, kTurns{1};
 
-/// What the windows of one drive say.
+/// The sums over the windows of one drive.
 struct LuckWindows {
   double squares = 0;                          // [m²] or [rad²] of the long windows less those of the short ones
   std::array<double, kLuckPoints> expected{};  // of that, for each luck of the grid
