@@ -15,13 +15,14 @@ namespace {
 
 using sim::motion::Command, sim::motion::Walk;
 
-constexpr std::size_t kShortBlocks = 2, kLongBlocks = 6;                                        // [blocks]
+constexpr std::size_t kShortBlocks = 2, kLongBlocks = 5;                                        // [blocks]
 constexpr double kLongerBy = static_cast<double>(kLongBlocks - kShortBlocks) * kBlockDuration;  // [s]
 constexpr double kSteady = 0.15;       // share of the speed by which a steady gait may change
 constexpr double kSlowest = 0.05;      // [m/s]
 constexpr double kBentMost = 0.7;      // [rad] turn within a window whose speed counts
 constexpr double kUnluckySquare = 36;  // times the expected square: something else than luck
 constexpr std::size_t kLuckPoints = 26;
+constexpr double kLeastLucky = 0.05;  // share of the luck in the expected square of a window that counts
 constexpr double kFewestLuckyDrives = 4;
 
 /// The possible lucks: shares of the speed, or [rad/s].
@@ -90,8 +91,12 @@ void add_window(double step, double longer, double shorter, double scatter,
                 const std::array<double, kLuckPoints>& variance, double assumed, LuckWindows& windows) {
   const double expected = assumed * step * kLongBlocks * kBlockDuration + scatter;
   if (longer > kUnluckySquare * expected || shorter > kUnluckySquare * expected) return;
-  windows.squares += longer - shorter;
-  for (std::size_t i = 0; i < kLuckPoints; ++i) windows.expected[i] += variance[i] * step * kLongerBy;
+  // a window in which the truth's errors hide the luck counts little
+  const double lucky = assumed * step * kLongBlocks * kBlockDuration;
+  if (lucky < kLeastLucky * expected) return;
+  const double weight = lucky / (expected * expected);
+  windows.squares += weight * (longer - shorter);
+  for (std::size_t i = 0; i < kLuckPoints; ++i) windows.expected[i] += weight * variance[i] * step * kLongerBy;
   windows.seconds += kBlockDuration;
 }
 

@@ -22,9 +22,9 @@ struct WalkLuck {
   double seconds = 0;             // of steady walking, also with too little
 };
 
-inline constexpr std::size_t kFewestLucky = 60;  // [s] of steady walking
+inline constexpr std::size_t kFewestLucky = 20;  // [s] of steady walking
 
-/// Measures the luck by what the fitted walk misses over 2 s less what it misses over 2/3 s: errors of the truth are in both.
+/// Measures the luck by what the fitted walk misses over 5/3 s less what it misses over 2/3 s: errors of the truth are in both.
 /// Only walks with a steady gait count, since others start or stop with a phase of the steps that is not known.
 WalkLuck measure_luck(const WalkProblem& problem, const WalkFit& fit);
 

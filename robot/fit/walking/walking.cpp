@@ -225,7 +225,7 @@ class WalkReport {
 
   void add_luck_figure(const std::optional<StepLuck>& luck, const char* name, const char* unit, double widest,
                        double wanted) {
-    const char* const advice = "Let it walk straight for 5 s and longer at a steady speed.";
+    const char* const advice = "Let it walk straight for 5 s and longer at two thirds of full speed.";
     if (!luck) {
       report_.kept.push_back(formatted("%s: expected at least %zu seconds of steady walking in 4 drives, got %.1f",
                                        name, kFewestLucky, luck_.seconds));
