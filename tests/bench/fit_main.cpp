@@ -36,6 +36,7 @@
 #include "robot/fit/rolling/rolling.h"
 #include "robot/fit/visibility/false_balls.h"
 #include "robot/fit/visibility/visibility.h"
+#include "robot/fit/walking/walking.h"
 #include "sim/io/matchup.h"
 #include "sim/match/step.h"
 #include "sim/statistics/sample.h"
@@ -46,6 +47,7 @@
 #include "tests/support/planted_packets.h"
 #include "tests/support/simulated_robots.h"
 #include "tests/support/planted_looks.h"
+#include "tests/support/planted_walks.h"
 
 namespace {
 
@@ -413,6 +415,35 @@ void visibility(int repetitions) {
   print_planted(curve, of_curve);
   print_planted(logistic, of_logistic);
   print_planted(wrong, of_wrong);
+// --- walking ---
+
+/// Fits drills of six robots, twenty minutes in all, from other models.
+void walking(int repetitions) {
+  robot::tests::PlantedWalks planted{
+      .robots = 6, .seconds = 200, .late = kLate / 1.96, .clock_deviation = kLate / 1.96};
+  planted.models.effects.walk_spread = true;
+  sim::Models base = planted.models;
+  sim::motion::Walk& other = base.motion.walk;
+  for (float* const value : {&other.forward, &other.backward, &other.sideward, &other.acceleration}) *value *= 1.2f;
+  other.turn_rate = 1.222f, other.turn_cost = 0.73f, other.start_delay = 0.25f, other.spread = 0.5f;
+  const sim::motion::Walk& walk = planted.models.motion.walk;
+  const std::pair<const char*, float> values[] = {
+      {"walk.forward", walk.forward},         {"walk.backward", walk.backward},
+      {"walk.sideward", walk.sideward},       {"walk.turn_rate", walk.turn_rate},
+      {"walk.turn_cost", walk.turn_cost},     {"walk.acceleration", walk.acceleration},
+      {"walk.start_delay", walk.start_delay}, {"walk.turn_acceleration", walk.turn_acceleration},
+      {"walk.stop_delay", walk.stop_delay},   {"walk.speed_noise", walk.speed_noise},
+      {"walk.turn_noise", walk.turn_noise},   {"walk.spread", walk.spread}};
+  std::vector<Tally> tallies(std::size(values));
+  for (int i = 0; i < repetitions; ++i) {
+    const auto drills = robot::tests::walked_drills(planted, 1000 + static_cast<std::uint64_t>(i));
+    const auto report = robot::fit::fit_walking(robot::tests::drives_of(drills, planted.clock_deviation), base);
+    for (std::size_t k = 0; k < tallies.size(); ++k)
+      for (const robot::fit::Figure& figure : report.figures)
+        if (figure.name == values[k].first) tallies[k].add(figure, static_cast<double>(values[k].second));
+  }
+  for (std::size_t k = 0; k < tallies.size(); ++k)
+    tallies[k].print(values[k].first, static_cast<double>(values[k].second));
 }
 
 }  // namespace
@@ -430,5 +461,6 @@ int main(int count, char** words) {
   sights(repetitions);
   radio(repetitions);
   visibility(repetitions);
+  walking(std::min(repetitions, 100));
   return 0;
 }
