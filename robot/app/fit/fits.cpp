@@ -14,6 +14,7 @@
 #include "robot/fit/rebounds/rebounds.h"
 #include "robot/fit/visibility/false_balls.h"
 #include "robot/fit/visibility/visibility.h"
+#include "robot/fit/walking/walking.h"
 #include "sim/io/models.h"
 
 namespace robot::app {
@@ -62,10 +63,15 @@ struct Reporting {
   fit::Report (*make)(const fit::Evidence&, const sim::Models&);
 };
 constexpr Reporting kReporting[] = {
-    {"ball_noise", fit::fit_ball_noise}, {"latency", fit::fit_latency},
-    {"visibility", fit::fit_visibility}, {"false_balls", fit::fit_false_balls},
-    {"rebounds", fit::fit_rebounds},     {"falls", fit::fit_falling},
-    {"radio", fit::fit_radio},           {"opponents", fit::fit_opponents},
+    {"walk", fit::fit_walking},
+    {"ball_noise", fit::fit_ball_noise},
+    {"latency", fit::fit_latency},
+    {"visibility", fit::fit_visibility},
+    {"false_balls", fit::fit_false_balls},
+    {"rebounds", fit::fit_rebounds},
+    {"falls", fit::fit_falling},
+    {"radio", fit::fit_radio},
+    {"opponents", fit::fit_opponents},
 };
 
 Result<void> check_names(const std::vector<std::string>& only) {
