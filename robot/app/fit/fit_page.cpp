@@ -104,8 +104,9 @@ std::string part_of(const fit::BallDistance& fit) {
          truth_plot(fit) + "</div>\n" +
          formatted(
              "<p class=\"soft\">Errors on images held out, %s. %zu images: left out were %zu without truth, %zu cut by "
-             "the border and %zu damaged.</p>\n",
-             fit.parts.c_str(), fit.seen.sizes.size(), fit.seen.without_truth, fit.seen.cut, fit.seen.damaged) +
+             "the border, %zu damaged and %zu like others of their pass.</p>\n",
+             fit.parts.c_str(), fit.seen.sizes.size(), fit.seen.without_truth, fit.seen.cut, fit.seen.damaged,
+             fit.seen.thinned) +
          held_out_table(fit);
 }
 
