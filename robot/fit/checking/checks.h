@@ -1,0 +1,43 @@
+// The situations of recordings, simulated with given models. Pure.
+//
+// Each function returns the statistics that its situations show; with too few of them it adds a sentence to `missing` instead.
+// All draws have fixed seeds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robot/fit/checking/statistic.h"
+#include "robot/fit/falling/falling.h"
+#include "robot/fit/kicks/kicks.h"
+#include "robot/fit/radio/packets.h"
+#include "robot/fit/rolling/rolls.h"
+#include "robot/fit/walking/drives.h"
+#include "sim/match/params.h"
+
+namespace robot::fit {
+
+/// Returns the facts of the models about kicks.
+KickFacts kick_facts_of(const sim::Models& models);
+
+/// Replays the recorded commands in the simulator's mean walk, with the luck of the steps, a pace for each robot, the error of its
+/// clock and that of the truth. Statistics: the mean over robots of the speed ahead, back, to a side, and of the turn rate; the
+/// speed ahead of the fastest of at least three robots. A robot counts with two seconds, five stretches in all are enough.
+std::vector<Statistic> check_walk(const Drives& drives, const sim::Models& models, std::vector<std::string>& missing);
+
+/// Draws each kick that counts from the model of its kind, with its errors of observation. Kicks slower than `slowest` count neither
+/// here nor there. Statistics of each kind with five kicks or more: the median and the 90 % quantile of the landing distance, the
+/// median direction, and the deviation of directions by the median of their distances from it. One wrong kick hardly counts.
+std::vector<Statistic> check_kicks(const std::vector<KickFit>& seen, const sim::Models& models,
+                                   std::vector<std::string>& missing);
+
+/// Draws the deceleration of each roll with its error and the spread between the recorded rolls, since the models have no spread.
+/// Statistic: their median; five rolls are enough.
+std::vector<Statistic> check_rolls(const std::vector<Roll>& rolls, const sim::Models& models,
+                                   std::vector<std::string>& missing);
+
+/// Draws the number of falls in the time that robots walked and touched each other, the failures to get up, and the durations of
+/// lying and getting up with their recorded spread. Five minutes of walking or touching, and five attempts, are enough.
+std::vector<Statistic> check_falls(const FallsSeen& seen, const sim::Models& models, std::vector<std::string>& missing);
+
+}  // namespace robot::fit
