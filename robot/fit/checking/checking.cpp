@@ -69,6 +69,8 @@ Situations read_situations(const Evidence& evidence, const sim::Models& models) 
   }
   situations.falls =
       read_falls(evidence, {.upright = models.contact.robot_radius, .lying = models.contact.lying_radius});
+  situations.packets = read_teams(evidence);
+  situations.looks = read_looks(evidence, models);
   return situations;
 }
 
@@ -79,12 +81,15 @@ Report check_models(const Situations& situations, const sim::Models& models) {
   append(check_kicks(situations.kicks, models, report.notes), statistics);
   append(check_rolls(situations.rolls, models, report.notes), statistics);
   append(check_falls(situations.falls, models, report.notes), statistics);
+  append(check_packets(situations.packets, models, report.notes), statistics);
+  append(check_sights(situations.looks, models, report.notes), statistics);
+  append(check_false_balls(situations.looks, models, report.notes), statistics);
   const std::vector<Verdict> verdicts = judge(statistics);
   const auto outside = std::ranges::count(verdicts, false, &Verdict::inside);
   report.scores = {{"statistics", static_cast<double>(statistics.size())}, {"outside", static_cast<double>(outside)}};
   if (statistics.empty()) {
     report.notes.insert(report.notes.begin(),
-                        "nothing can be checked: expected robots that walk, kicks, free rolls or falls beside a truth");
+                        "nothing can be checked: expected robots that walk, kick, fall or see the ball beside a truth");
     return report;
   }
   report.results.push_back(results_of(statistics, verdicts));

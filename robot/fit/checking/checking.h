@@ -13,13 +13,15 @@ struct Situations {
   std::vector<KickFit> kicks;
   std::vector<Roll> rolls;
   FallsSeen falls;
+  std::vector<TeamRecord> packets;
+  Looks looks;
 };
 
 /// Reads the situations. The models give the places of kicks and the sizes of robots.
 Situations read_situations(const Evidence& evidence, const sim::Models& models);
 
-/// Compares recordings with simulations of the same situations: the commands of robots, their kicks, free rolls, and times at risk
-/// of falling. No behaviour is simulated, since that of a real team is not known.
+/// Compares recordings with simulations of the same situations: the commands of robots, their kicks, free rolls, times at risk
+/// of falling, packets, and images of balls. No behaviour is simulated, since that of a real team is not known.
 ///
 /// The report has no figures. Its results are a row for each statistic: the recorded value, the simulated interval, and "inside" or
 /// "OUTSIDE". With right models all are inside in 95 % of recordings. `scores` has the counts `statistics` and `outside`, `notes`

@@ -12,6 +12,8 @@
 #include "robot/fit/kicks/kicks.h"
 #include "robot/fit/radio/packets.h"
 #include "robot/fit/rolling/rolls.h"
+#include "robot/fit/visibility/false_balls.h"
+#include "robot/fit/visibility/sights.h"
 #include "robot/fit/walking/drives.h"
 #include "sim/match/params.h"
 
@@ -26,8 +28,9 @@ KickFacts kick_facts_of(const sim::Models& models);
 std::vector<Statistic> check_walk(const Drives& drives, const sim::Models& models, std::vector<std::string>& missing);
 
 /// Draws each kick that counts from the model of its kind, with its errors of observation. Kicks slower than `slowest` count neither
-/// here nor there. Statistics of each kind with five kicks or more: the median and the 90 % quantile of the landing distance, the
-/// median direction, and the deviation of directions by the median of their distances from it. One wrong kick hardly counts.
+/// here nor there. Statistics of each kind with five kicks or more: the mean and the 90 % quantile of the landing distance, the
+/// median direction, and the deviation of directions by the median of their distances from it. A kick that was tracked wrong
+/// counts as twice the range of its kind at most.
 std::vector<Statistic> check_kicks(const std::vector<KickFit>& seen, const sim::Models& models,
                                    std::vector<std::string>& missing);
 
@@ -39,5 +42,19 @@ std::vector<Statistic> check_rolls(const std::vector<Roll>& rolls, const sim::Mo
 /// Draws the number of falls in the time that robots walked and touched each other, the failures to get up, and the durations of
 /// lying and getting up with their recorded spread. Five minutes of walking or touching, and five attempts, are enough.
 std::vector<Statistic> check_falls(const FallsSeen& seen, const sim::Models& models, std::vector<std::string>& missing);
+
+/// Draws the delays and losses of packets. Statistics: the mean delay, the share of packets that a mate does not hear; 50 packets
+/// are enough. Where the receivers of a packet share more than the models say, the intervals are wider. So are they by the
+/// clocks' errors.
+std::vector<Statistic> check_packets(const std::vector<TeamRecord>& records, const sim::Models& models,
+                                     std::vector<std::string>& missing);
+
+/// Draws the images that show a ball in view, for each range of distances with ten passes. Images count by themselves, as in the
+/// models, or as whole passes if these differ more.
+std::vector<Statistic> check_sights(const Looks& looks, const sim::Models& models, std::vector<std::string>& missing);
+
+/// Draws the number of false balls in at least a minute of images that would show one.
+std::vector<Statistic> check_false_balls(const Looks& looks, const sim::Models& models,
+                                         std::vector<std::string>& missing);
 
 }  // namespace robot::fit

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kFewestCheckedRolls = 5, kFewestAttempts = 5;
 constexpr double kLeastRisk = 300;      // [s] of walking or touching
-constexpr double kRollError = 0.005;    // [m/s²] of a parabola through places of whole ticks
+constexpr double kRollError = 0.002;    // [m/s²] of a parabola through places of whole ticks
 constexpr double kWiderMedian = 1.25;   // deviation of a median of normal values over that of their mean
 constexpr double kTickError = 1. / 30;  // [s] of a duration
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kFewestChecked = 5, kMostDraws = 1000;
 constexpr double kFarQuantile = 0.9;
+constexpr double kMostRanges = 2;  // a kick that was tracked wrong counts as two ranges of its kind at most
 
 /// Draws kicks of a model with the errors of observation of given ones.
 class KickDraw {
@@ -49,19 +50,20 @@ class KickDraw {
 
 /// The statistics of kicks of one kind.
 struct KickNumbers {
-  double middle = 0, far = 0;           // [m] of the landing distance
+  double mean = 0, far = 0;             // [m] of the landing distance
   double direction = 0, deviation = 0;  // [rad]
 };
 
-/// Returns the numbers; directions are near `around` [rad].
-KickNumbers numbers_of(const std::vector<TrackedKick>& kicks, double deceleration, double around) {
+/// Returns the numbers of kicks, at least one.
+KickNumbers numbers_of(const std::vector<TrackedKick>& kicks, const sim::motion::Kick& kind, double deceleration) {
+  const double around = kind.direction;
+  KickNumbers numbers;
   std::vector<double> distances, angles;
   for (const TrackedKick& kick : kicks) {
-    distances.push_back(kick.speed * kick.speed / (2 * deceleration));
+    distances.push_back(std::min(kick.speed * kick.speed / (2 * deceleration), kMostRanges * kind.range));
+    numbers.mean += distances.back() / static_cast<double>(kicks.size());
     angles.push_back(std::remainder(kick.direction - around, 2 * std::numbers::pi));
   }
-  KickNumbers numbers;
-  numbers.middle = sim::statistics::median(distances);
   numbers.far = sim::statistics::quantile(std::move(distances), kFarQuantile);
   const double middle = lab::median_of(angles);
   for (double& angle : angles) angle = std::abs(angle - middle);
@@ -72,8 +74,8 @@ KickNumbers numbers_of(const std::vector<TrackedKick>& kicks, double deceleratio
 
 void add_kind(const KickFit& seen, const sim::motion::Kick& kick, const sim::Models& models,
               std::vector<Statistic>& all) {
-  const double deceleration = models.ball.deceleration, around = kick.direction;
-  const KickNumbers recorded = numbers_of(seen.kicks, deceleration, around);
+  const double deceleration = models.ball.deceleration;
+  const KickNumbers recorded = numbers_of(seen.kicks, kick, deceleration);
   const auto named = [&](const char* what, const char* unit, double value) {
     return Statistic{.name = "kick " + seen.kind + ": " + what,
                      .unit = unit,
@@ -82,7 +84,7 @@ void add_kind(const KickFit& seen, const sim::motion::Kick& kick, const sim::Mod
                      .events = seen.kicks.size(),
                      .kind = "kicks"};
   };
-  Statistic middle = named("median distance", "m", recorded.middle);
+  Statistic mean = named("mean distance", "m", recorded.mean);
   Statistic far = named("90 % of distances are below", "m", recorded.far);
   Statistic direction = named("median direction", "rad", recorded.direction);
   Statistic deviation = named("deviation of directions", "rad", recorded.deviation);
@@ -90,11 +92,11 @@ void add_kind(const KickFit& seen, const sim::motion::Kick& kick, const sim::Mod
   std::vector<TrackedKick> drawn(seen.kicks.size());
   for (std::size_t i = 0; i < kCheckSamples; ++i) {
     for (std::size_t k = 0; k < drawn.size(); ++k) drawn[k] = draw.like(seen.kicks[k]);
-    const KickNumbers numbers = numbers_of(drawn, deceleration, around);
-    middle.simulated.push_back(numbers.middle), far.simulated.push_back(numbers.far);
+    const KickNumbers numbers = numbers_of(drawn, kick, deceleration);
+    mean.simulated.push_back(numbers.mean), far.simulated.push_back(numbers.far);
     direction.simulated.push_back(numbers.direction), deviation.simulated.push_back(numbers.deviation);
   }
-  for (Statistic* one : {&middle, &far, &direction, &deviation}) all.push_back(std::move(*one));
+  for (Statistic* one : {&mean, &far, &direction, &deviation}) all.push_back(std::move(*one));
 }
 
 }  // namespace
