@@ -82,7 +82,7 @@ Report check_models(const Situations& situations, const sim::Models& models) {
   append(check_rolls(situations.rolls, models, report.notes), statistics);
   append(check_falls(situations.falls, models, report.notes), statistics);
   append(check_packets(situations.packets, models, report.notes), statistics);
-  append(check_sights(situations.looks, models, report.notes), statistics);
+  append(check_sights(sights_of(situations.looks, models), models, report.notes), statistics);
   append(check_false_balls(situations.looks, models, report.notes), statistics);
   const std::vector<Verdict> verdicts = judge(statistics);
   const auto outside = std::ranges::count(verdicts, false, &Verdict::inside);

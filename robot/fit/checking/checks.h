@@ -51,7 +51,7 @@ std::vector<Statistic> check_packets(const std::vector<TeamRecord>& records, con
 
 /// Draws the images that show a ball in view, for each range of distances with ten passes. Images count by themselves, as in the
 /// models, or as whole passes if these differ more.
-std::vector<Statistic> check_sights(const Looks& looks, const sim::Models& models, std::vector<std::string>& missing);
+std::vector<Statistic> check_sights(const Sights& sights, const sim::Models& models, std::vector<std::string>& missing);
 
 /// Draws the number of false balls in at least a minute of images that would show one.
 std::vector<Statistic> check_false_balls(const Looks& looks, const sim::Models& models,

@@ -71,9 +71,9 @@ Statistic share_seen(const SightCount& count, const Distances& distances, std::u
 
 }  // namespace
 
-std::vector<Statistic> check_sights(const Looks& looks, const sim::Models& models, std::vector<std::string>& missing) {
+std::vector<Statistic> check_sights(const Sights& sights, const sim::Models& models,
+                                    std::vector<std::string>& missing) {
   std::vector<Statistic> all;
-  const Sights sights = sights_of(looks, models);
   const std::vector<Group> passes = passes_of(sights.sights);
   for (std::size_t i = 0; i < kDistances.size(); ++i) {
     const SightCount count = count_sights(sights, passes, kDistances[i], models);
