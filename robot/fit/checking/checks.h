@@ -28,8 +28,8 @@ KickFacts kick_facts_of(const sim::Models& models);
 std::vector<Statistic> check_walk(const Drives& drives, const sim::Models& models, std::vector<std::string>& missing);
 
 /// Draws each kick that counts from the model of its kind, with its errors of observation. Kicks slower than `slowest` count neither
-/// here nor there. Statistics of each kind with five kicks or more: the mean and the 90 % quantile of the landing distance, the
-/// median direction, and the deviation of directions by the median of their distances from it. A kick that was tracked wrong
+/// here nor there. Statistics of each kind with five kicks or more: the mean landing distance and its 90 % quantile, the median
+/// direction and the deviation from it. The deviation is by the median of the distances. A kick that was tracked wrong
 /// counts as twice the range of its kind at most.
 std::vector<Statistic> check_kicks(const std::vector<KickFit>& seen, const sim::Models& models,
                                    std::vector<std::string>& missing);
@@ -39,8 +39,9 @@ std::vector<Statistic> check_kicks(const std::vector<KickFit>& seen, const sim::
 std::vector<Statistic> check_rolls(const std::vector<Roll>& rolls, const sim::Models& models,
                                    std::vector<std::string>& missing);
 
-/// Draws the number of falls in the time that robots walked and touched each other, the failures to get up, and the durations of
-/// lying and getting up with their recorded spread. Five minutes of walking or touching, and five attempts, are enough.
+/// Draws the number of falls in the time that robots walked and touched each other. Also draws the failures to get up, and the
+/// median times of lying and of an attempt to get up, with their recorded spread. Five minutes of walking or touching are enough,
+/// and five attempts.
 std::vector<Statistic> check_falls(const FallsSeen& seen, const sim::Models& models, std::vector<std::string>& missing);
 
 /// Draws the delays and losses of packets. Statistics: the mean delay, the share of packets that a mate does not hear; 50 packets

@@ -11,9 +11,9 @@ namespace robot::fit {
 inline constexpr std::size_t kCheckSamples = 4000;
 
 struct Statistic {
-  std::string name;               // "walk: way ahead in a second"
-  std::string unit;               // "m"
-  double recorded = 0;            //
+  std::string name;  // "walk: way ahead in a second"
+  std::string unit;  // "m"
+  double recorded = 0;
   std::vector<double> simulated;  // kCheckSamples, in any order
   std::size_t events = 0;         // of the recording
   std::string kind;               // of the events: "stretches"
