@@ -71,6 +71,7 @@ Situations read_situations(const Evidence& evidence, const sim::Models& models) 
       read_falls(evidence, {.upright = models.contact.robot_radius, .lying = models.contact.lying_radius});
   situations.packets = read_teams(evidence);
   situations.looks = read_looks(evidence, models);
+  situations.balls = read_ball_places(evidence);
   return situations;
 }
 
@@ -83,6 +84,7 @@ Report check_models(const Situations& situations, const sim::Models& models) {
   append(check_falls(situations.falls, models, report.notes), statistics);
   append(check_packets(situations.packets, models, report.notes), statistics);
   append(check_sights(sights_of(situations.looks, models), models, report.notes), statistics);
+  append(check_noise(situations.balls, models, report.notes), statistics);
   append(check_false_balls(situations.looks, models, report.notes), statistics);
   const std::vector<Verdict> verdicts = judge(statistics);
   const auto outside = std::ranges::count(verdicts, false, &Verdict::inside);

@@ -15,6 +15,7 @@ struct Situations {
   FallsSeen falls;
   std::vector<TeamRecord> packets;
   Looks looks;
+  BallPlaces balls;
 };
 
 /// Reads the situations. The models give the places of kicks and the sizes of robots.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/fit/ball_noise/ball_places.h"
 #include "robot/fit/checking/statistic.h"
 #include "robot/fit/falling/falling.h"
 #include "robot/fit/kicks/kicks.h"
@@ -53,6 +54,12 @@ std::vector<Statistic> check_packets(const std::vector<TeamRecord>& records, con
 /// Draws the images that show a ball in view, for each range of distances with ten passes. Images count by themselves, as in the
 /// models, or as whole passes if these differ more.
 std::vector<Statistic> check_sights(const Sights& sights, const sim::Models& models, std::vector<std::string>& missing);
+
+/// Draws the errors of percepts of balls that lie, with those of truth and clock. Statistics: the deviation of the elevation, standing
+/// and walking, and that of the bearing, each by the median of the distances from the median of its recording. The intervals
+/// cover the luck of whole passes, as it was recorded.
+std::vector<Statistic> check_noise(const BallPlaces& places, const sim::Models& models,
+                                   std::vector<std::string>& missing);
 
 /// Draws the number of false balls in at least a minute of images that would show one.
 std::vector<Statistic> check_false_balls(const Looks& looks, const sim::Models& models,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kFewestPasses = 10;
 constexpr double kLeastExposure = 60;  // [s] of images that would show a false ball
-constexpr double kSightError = 0.01;   // of a share: the truth's errors put balls in or out of view
+constexpr double kSightError = 0.005;  // of a share: the truth's errors put balls in or out of view
 
 /// The distances that are compared [m].
 struct Distances {

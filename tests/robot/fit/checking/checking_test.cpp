@@ -17,13 +17,13 @@ constexpr const char* kPlanted = "match,hits.partial=0.3";
 
 sim::Models models_with(const std::string& changes) { return *sim::io::load_models(kPlanted + changes); }
 
-/// A simulated game of 150 s, read once.
+/// A simulated game of 120 s, read once.
 class CheckedGame : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new ::tests::TemporaryFolder;
     evidence_ = new Evidence(tests::simulated_robots(
-        folder_->path() / "game", {.models = kPlanted, .seconds = 150, .seed = 1, .place_error = 0.003}));
+        folder_->path() / "game", {.models = kPlanted, .seconds = 120, .seed = 1, .place_error = 0.003}));
     situations_ = new Situations(read_situations(*evidence_, models_with("")));
   }
   static void TearDownTestSuite() {

@@ -11,6 +11,7 @@
 #include "tests/support/planted_kicks.h"
 #include "tests/support/planted_looks.h"
 #include "tests/support/planted_packets.h"
+#include "tests/support/planted_sights.h"
 #include "tests/support/planted_walks.h"
 
 namespace robot::tests {
@@ -318,6 +319,32 @@ TEST(CheckSights, RightModelsAreInsideAndOthersAreNot) {
   EXPECT_GE(inside, 4u);
 }
 
+TEST(CheckNoise, RightModelsAreInsideAndOthersAreNot) {
+  const PlantedSights planted;
+  sim::Models models = planted_base();
+  models.effects.ball_noise = true;
+  models.perception.noise.tilt = static_cast<float>(planted.tilt);
+  models.perception.noise.tilt_walking = static_cast<float>(planted.tilt_walking);
+  models.perception.noise.roll = static_cast<float>(planted.roll);
+  models.perception.noise.pixels = 1, models.perception.camera.pixel_angle = static_cast<float>(planted.pixels);
+  models.perception.camera.height = static_cast<float>(planted.height) + models.ball.radius;
+  std::vector<std::string> missing;
+  std::size_t inside = 0;
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    const SightsOfGames games = planted_sights(planted, seed);
+    const fit::BallPlaces places = fit::beside_truth(games.seen);
+    const auto right = fit::check_noise(places, models, missing);
+    EXPECT_EQ(right.size(), 3u);
+    inside += count_outside(right) == 0 ? 1 : 0;
+    sim::Models shaky = models;
+    shaky.perception.noise.tilt *= 1.5f, shaky.perception.noise.roll *= 1.5f;
+    const auto wrong = fit::check_noise(places, shaky, missing);
+    EXPECT_EQ(count_outside({wrong[0]}) + count_outside({wrong[2]}), 2u);
+    EXPECT_EQ(count_outside({wrong[1]}), 0u);
+  }
+  EXPECT_GE(inside, 2u);
+}
+
 TEST(CheckFalseBalls, RightModelsAreInsideAndOthersAreNot) {
   sim::Models models = planted_base();
   models.effects.false_balls = true;
@@ -338,6 +365,7 @@ TEST(Checks, SayWhatTheRecordingsDoNotShow) {
   EXPECT_TRUE(fit::check_falls({}, models, missing).empty());
   EXPECT_TRUE(fit::check_packets({}, models, missing).empty());
   EXPECT_TRUE(fit::check_sights({}, models, missing).empty());
+  EXPECT_TRUE(fit::check_noise({}, models, missing).empty());
   EXPECT_TRUE(fit::check_false_balls({}, models, missing).empty());
   for (const char* sentence :
        {"walk: speed back: expected at least 5 stretches of robots that do so for 2 s, got 0",
@@ -348,6 +376,7 @@ TEST(Checks, SayWhatTheRecordingsDoNotShow) {
         "radio: expected at least 50 packets with the times of sending and arrival, got 0",
         "radio: expected at least 50 packets in the recordings of their sender and of a mate, got 0",
         "vision: expected at least 10 passes of a ball in view at 2-4 m, got 0",
+        "vision: deviation of the bearing: expected at least 40 images of a ball that lies, in 8 passes, got 0 in 0",
         "vision: expected at least 60 s of images that would show a false ball, got 0"})
     EXPECT_TRUE(is_said(missing, sentence)) << sentence;
 }
