@@ -14,10 +14,12 @@ namespace {
 
 constexpr sim::Tick kGameTicks = 15, kTeamTicks = 30, kOpponentTicks = 3;  // longest time between two messages
 
-/// Calls see(object) for each object of a simulated robot, which has no camera and no joints.
+/// Calls see(object) for each object of a simulated robot, which has no pictures and no joints.
 template <class See>
 void for_each_simulated(memory::Memory& memory, See&& see) {
+  see(memory.camera_top_matrix);
   see(memory.odometry);
+  see(memory.vision);
   see(memory.ball);
   see(memory.pose);
   see(memory.team);
@@ -84,6 +86,7 @@ void Narrator::write(const SimulatedGame& game, const Timeline& timeline) {
 
   sim::for_each_robot(world.players, [&](int robot) {
     const bool plays = world.bodies[robot].doing != sim::Body::Doing::removed;
+    if (thought) write_image(game, robot, seen_ns);
     if (thought && (plays || written_ == sim::kNever)) write_mind(game, robot, timeline, seen_ns);
     write_game(game, robot, timeline);
     write_team(game, robot, timeline);
@@ -94,6 +97,20 @@ void Narrator::write(const SimulatedGame& game, const Timeline& timeline) {
   own()->truth.write(std::move(truth), now_ns);
   written_ = world.tick;
   written_ns_ = now_ns;
+}
+
+/// Writes the camera and its percepts, if the robot took an image.
+void Narrator::write_image(const SimulatedGame& game, int robot, std::uint64_t capture_ns) {
+  const SimulatedImage& image = game.image(robot);
+  if (!image.taken) return;
+  const sim::Models& own = sim::models_of(game.params(), robot);
+  memory::Memory& memory = *memories_[static_cast<std::size_t>(robot)];
+  auto matrix = memory.camera_top_matrix.draft();
+  to_proto(image, own.perception.camera, *matrix);
+  memory.camera_top_matrix.write(std::move(matrix), capture_ns);
+  auto vision = memory.vision.draft();
+  to_proto(image, own, *vision);
+  memory.vision.write(std::move(vision), capture_ns);
 }
 
 /// Writes the beliefs and the decision that came from an image.

@@ -40,7 +40,8 @@ class Narrator {
 
   /// Writes everything after a tick.
   ///
-  /// Beliefs and decisions have the capture time of their image: the beginning of the tick. Body and truth have the
+  /// The camera, its percepts, beliefs and decisions have the capture time of their image: the beginning of the tick. A robot
+  /// far from the ball decides by several images at once; its percepts are written for each. Body and truth have the
   /// time of its end. So a belief and its truth have equal capture times. A robot beside the field gets no new beliefs.
   /// `game` and `team` are written on each change, and at least at 2 Hz and 1 Hz; `opponents` at 10 Hz.
   void write(const SimulatedGame& game, const Timeline& timeline);
@@ -58,6 +59,7 @@ class Narrator {
     std::array<sim::Tick, sim::agent::kMaxMates> mates{};  // send time of each
   };
 
+  void write_image(const SimulatedGame& game, int robot, std::uint64_t capture_ns);
   void write_mind(const SimulatedGame& game, int robot, const Timeline& timeline, std::uint64_t capture_ns);
   void write_body(const SimulatedGame& game, int robot, std::uint64_t capture_ns);
   void write_game(const SimulatedGame& game, int robot, const Timeline& timeline);

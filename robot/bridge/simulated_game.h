@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "robot/bridge/simulated_vision.h"
 #include "robot/bridge/to_messages.h"
 #include "sim/agent/choice.h"
 #include "sim/agent/trace.h"
@@ -62,17 +63,23 @@ class SimulatedGame {
   /// reasons.
   const sim::agent::Trace* decision(int robot) const;
 
-  /// Returns the path that the robot believes to have walked since the state was set.
+  /// Returns the image that the robot took at the begin of the last tick. Without a tick there is none.
+  const SimulatedImage& image(int robot) const { return images_[static_cast<std::size_t>(robot)]; }
+
+  /// Returns the path that the robot believes to have walked since the state was set. It has the errors of the model's
+  /// localisation: the robot's scales, and random ones. Places at which the referee puts the robot are no part of it.
   /// Frame: odometry, see proto/foresight/motion.proto.
   const sim::Pose2& odometry(int robot) const { return odometry_[static_cast<std::size_t>(robot)]; }
 
  private:
-  void walk(int robot);
+  void look(const sim::World& world);
+  void walk(const sim::World& before, const sim::World& after, int robot);
 
   const sim::Params& params_;
   const GameNames names_;
   sim::State state_;
   std::array<sim::agent::Trace, sim::kMaxRobots> decisions_;
+  std::array<SimulatedImage, sim::kMaxRobots> images_;
   std::array<sim::Pose2, sim::kMaxRobots> odometry_;
 };
 

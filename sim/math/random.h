@@ -49,6 +49,7 @@ enum class Draw : std::uint32_t {
   walk_pace = 21,
   lost_pose = 22,
   duel = 23,
+  ball_size = 24,
 };
 
 /// Returns 128 random bits. `robot` is the robot's index in the state, or kNobody when the draw belongs to no robot.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -64,7 +65,7 @@ TEST(Narrator, WritesEveryObjectOfEveryRobotTheTruthAndTheStateOfTheSimulation) 
   Narrated narrated({.pace = sim::Pace::every_tick});
   for (int tick = 0; tick < 30 * 60; ++tick) narrated.tick();
   const auto all = narrated.channels.all();
-  EXPECT_EQ(all.size(), 8u * 9u + 2u);  // four a side with nine objects each
+  EXPECT_EQ(all.size(), 8u * 11u + 2u);  // four a side with eleven objects each
   for (const auto& channel : all) EXPECT_TRUE(channel->newest()) << channel->info().topic;
 }
 
@@ -89,6 +90,83 @@ TEST(Narrator, GivesBeliefsTheTimeOfTheirImageAndTheTruthThatOfTheTicksEnd) {
   EXPECT_EQ(captured("/14/2/odometry"), narrated.timeline.at(10));
   EXPECT_EQ(captured("/14/2/pose"), narrated.timeline.at(9));
   EXPECT_EQ(captured("/14/2/motion_command"), narrated.timeline.at(9));
+}
+
+TEST(Narrator, AnImageShowsTheBallThatTheBeliefComesFrom) {
+  Narrated narrated({.models = {"perfect", "match"}, .pace = sim::Pace::every_tick});
+  int seen = 0;
+  for (int tick = 0; tick < 30 * 60; ++tick) {
+    narrated.tick();
+    for (const std::string robot : {"/14/2/", "/5/2/"}) {
+      if (!narrated.channels.find(robot + "ball")->newest()) continue;
+      const auto ball = narrated.newest<foresight::Ball>(robot + "ball");
+      if (!ball.visible()) continue;
+      const auto vision = narrated.newest<foresight::Vision>(robot + "vision");
+      ASSERT_TRUE(vision.has_ball()) << robot << tick;
+      ++seen;
+      if (robot != "/14/2/") continue;  // noise and a filter
+      ASSERT_EQ(vision.ball().detection().x(), ball.x());
+      ASSERT_EQ(vision.ball().detection().y(), ball.y());
+    }
+  }
+  EXPECT_GT(seen, 100);
+}
+
+TEST(Narrator, ThePerceptLiesInTheCamerasImageWhereItsProjectionIs) {
+  Narrated narrated({.models = {"perfect", "perfect"}, .pace = sim::Pace::every_tick});
+  int seen = 0;
+  for (int tick = 0; tick < 30 * 60; ++tick) {
+    narrated.tick();
+    const auto vision = narrated.newest<foresight::Vision>("/14/2/vision");
+    if (!vision.has_ball()) continue;
+    const auto camera = narrated.newest<foresight::CameraMatrix>("/14/2/camera_top_matrix");
+    const foresight::Detection& ball = vision.ball().detection();
+    const float point[3] = {ball.x() - camera.x(), ball.y() - camera.y(),
+                            narrated.prepared.params.teams[0].models.ball.radius - camera.z()};
+    float seen_from[3] = {};  // [m, camera]
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < 3; ++i) seen_from[axis] += camera.rotation(3 * i + axis) * point[i];
+    if (seen_from[2] < 0.05f) continue;  // below the robot
+    ++seen;
+    EXPECT_NEAR(ball.image_x(), camera.centre_x() + camera.focal_x() * seen_from[0] / seen_from[2], 0.5);
+    EXPECT_NEAR(ball.image_y(), camera.centre_y() + camera.focal_y() * seen_from[1] / seen_from[2], 0.5);
+    EXPECT_NEAR(std::tan(ball.angle_x()), seen_from[0] / seen_from[2], 1e-3);
+    EXPECT_NEAR(std::tan(ball.angle_y()), seen_from[1] / seen_from[2], 1e-3);
+  }
+  EXPECT_GT(seen, 100);
+}
+
+TEST(Narrator, TheOdometryDriftsAsTheModelSays) {
+  Narrated narrated({.models = {"perfect",
+                                "perfect,effects.odometry_drift=true,localisation.bias=0,"
+                                "localisation.rotation_noise=0,localisation.rotation_per_metre=0,"
+                                "localisation.translation_noise=0.2"},
+                     .pace = sim::Pace::every_tick});
+  double way = 0, squares = 0;
+  sim::World before = narrated.game->state().world;
+  for (int tick = 0; tick < 30 * 120; ++tick) {
+    sim::Pose2 believed[2];
+    const int robots[2] = {1, sim::robot_of(sim::Side::away, 2)};
+    for (int i = 0; i < 2; ++i) believed[i] = narrated.game->odometry(robots[i]);
+    narrated.tick();
+    const sim::World& now = narrated.game->state().world;
+    for (int i = 0; i < 2; ++i) {
+      const sim::Body &from = before.bodies[robots[i]], &to = now.bodies[robots[i]];
+      const sim::Vec2 moved = sim::turned_back(to.position - from.position, from.facing);
+      if (sim::length(moved) > 0.1f) continue;
+      const sim::Vec2 step = sim::turned_back(narrated.game->odometry(robots[i]).position - believed[i].position,
+                                              sim::direction(believed[i].heading));
+      const sim::Vec2 error = step - moved;
+      if (i == 0) {
+        EXPECT_LT(sim::length(error), 1e-5f) << "without the effect it is the true way";
+      } else {
+        way += sim::length(moved), squares += sim::squared_length(error);
+      }
+    }
+    before = now;
+  }
+  ASSERT_GT(way, 5);
+  EXPECT_NEAR(std::sqrt(squares / 2 / way), 0.2, 0.02);
 }
 
 TEST(Narrator, TakesTheBallsDecelerationFromTheRobotsOwnTeam) {

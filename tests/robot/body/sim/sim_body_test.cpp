@@ -218,13 +218,13 @@ TEST(SimBody, EveryRobotIsListedUnderItsName) {
     ++objects[topic.substr(0, topic.rfind('/'))];
     if (topic.starts_with("/5/3/")) own.insert(topic.substr(5));
   }
-  for (const char* robot : {"/14/1", "/14/2", "/14/3", "/14/4", "/5/1", "/5/2", "/5/4"}) EXPECT_EQ(objects[robot], 9);
-  EXPECT_EQ(own, (std::set<std::string>{"ball", "clock", "decision", "forecast", "forecast_score", "game", "log",
-                                        "motion_command", "motion_status", "odometry", "opponents", "pose", "runtime",
-                                        "strategy", "team", "what_if"}));
+  for (const char* robot : {"/14/1", "/14/2", "/14/3", "/14/4", "/5/1", "/5/2", "/5/4"}) EXPECT_EQ(objects[robot], 11);
+  EXPECT_EQ(own, (std::set<std::string>{"ball", "camera_top_matrix", "clock", "decision", "forecast", "forecast_score",
+                                        "game", "log", "motion_command", "motion_status", "odometry", "opponents",
+                                        "pose", "runtime", "strategy", "team", "vision", "what_if"}));
   EXPECT_TRUE(channels.find("/truth/world"));
   EXPECT_TRUE(channels.find("/sim/state"));
-  EXPECT_EQ(channels.all().size(), 7u * 9 + 16 + 2);
+  EXPECT_EQ(channels.all().size(), 7u * 11 + 18 + 2);
   EXPECT_EQ(player->memory()->ball.info().topic, "/5/3/ball");
 }
 

@@ -6,6 +6,9 @@
 #include <iostream>
 #include "robot/fit/localisation/odometry_fit.h"
 #include "tests/support/planted_walks.h"
+#include "tests/support/simulated_robots.h"
+#include "tests/support/temporary_folder.h"
+
 
 namespace robot::fit {
 namespace {
@@ -25,6 +28,22 @@ TEST(Odometry, Try) {
     double s=0; for (auto& w : drift.windows) if ((int)w.recording % 5 == fold) s+= std::log(m.place_variance(w));
     std::cout << s << "\n";
   }
+}
+
+TEST(Odometry, Game) {
+  const ::tests::TemporaryFolder folder;
+  Evidence evidence;
+  for (int i = 0; i < 2; ++i) {
+    auto t = std::chrono::steady_clock::now();
+    tests::append(evidence, tests::simulated_robots(folder.path() / ("game" + std::to_string(i)), {.seconds = 600, .seed = (unsigned)i + 5, .place_error = 0.02, .heading_error = 0.05, .clock_error = 0.01}));
+    std::cout << std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count() << " s\n";
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const Report report = fit_odometry(evidence, tests::match_models());
+  const auto end = std::chrono::steady_clock::now();
+  std::cout << to_text(report);
+  for (auto& k : report.kept) std::cout << k << "\n";
+  std::cout << std::chrono::duration<double>(end - start).count() << " s\n";
 }
 
 TEST(Odometry, Coverage) {
