@@ -66,6 +66,7 @@ class MotionReader {
       motion.games.push_back({.at = at,
                               .penalised = known && message.own().players(player - 1).penalised(),
                               .moves = !rests,
+                              .plays = message.state() == State::STATE_PLAYING,
                               .half = static_cast<int>(message.half()),
                               .attacks_plus = message.has_attacks_positive_x()
                                                   ? std::optional(message.attacks_positive_x())
@@ -164,7 +165,8 @@ std::optional<TrueMoment> TruthReader::at(double seconds) {
                     .y = before.y + part * (after.y - before.y),
                     .heading = wrapped(before.heading + part * wrapped(after.heading - before.heading)),
                     .fallen = before.fallen || after.fallen,
-                    .crowded = before.crowded || after.crowded};
+                    .crowded = before.crowded || after.crowded,
+                    .noise = part * part + (1 - part) * (1 - part)};
 }
 
 WatchedMotion read_motion(const WatchedRobot& robot, const WatchedTopics& topics) {

@@ -38,6 +38,7 @@ struct GameAt {
   double at = 0;                     // [s, clock of the truth]
   bool penalised = false;            // this robot
   bool moves = true;                 // ready, set or playing: nobody carries a robot that is not penalised
+  bool plays = true;                 // playing
   int half = 0;                      // 0: not known
   std::optional<bool> attacks_plus;  // this side, towards +x of `field`
 };
@@ -55,6 +56,7 @@ struct TrueMoment {
   double x = 0, y = 0, heading = 0;  // [m, rad; field]; the heading is not NaN
   bool fallen = false;
   bool crowded = false;  // another robot is within 0.6 m and may push it
+  double noise = 1;      // [0..1] share of the truth's variance in it: an interpolated one has less
 };
 
 struct WatchedMotion {
