@@ -29,7 +29,7 @@ VarianceScoring variance_scoring_of(const std::vector<SquaredError>& errors, con
     const double variance = now.variance_of(error);
     const double weight = (robust ? weight_of(error, variance) : 1) / (variance * variance);
     for (std::size_t a = 0; a < parts; ++a) {
-      scoring.right[a] += weight * error.amounts[a] * error.squares;
+      scoring.right[a] += weight * error.amounts[a] * (error.squares - error.freedom * error.known);
       for (std::size_t b = 0; b < parts; ++b)
         scoring.matrix[a][b] += weight * error.freedom * error.amounts[a] * error.amounts[b];
     }
@@ -85,7 +85,7 @@ std::vector<std::size_t> finite_errors(const std::vector<SquaredError>& errors) 
   std::vector<std::size_t> finite;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const SquaredError& error = errors[i];
-    double sum = error.squares + error.freedom;
+    double sum = error.squares + error.freedom + error.known;
     for (const double amount : error.amounts) sum += amount;
     if (std::isfinite(sum) && error.squares >= 0 && error.freedom > 0) finite.push_back(i);
   }
@@ -120,7 +120,7 @@ void improve_variances(const std::vector<SquaredError>& errors, const std::vecto
 }  // namespace
 
 double VarianceParts::variance_of(const SquaredError& error) const {
-  double variance = 0;
+  double variance = error.known;
   for (std::size_t i = 0; i < kMostParts; ++i) variance += factors[i] * error.amounts[i];
   return std::max(variance, kLeastVariance);
 }
@@ -164,6 +164,20 @@ std::vector<RootInterval> root_intervals(const std::vector<SquaredError>& errors
         {.value = std::sqrt(factor), .low = std::sqrt(std::max(0., factor - half)), .high = std::sqrt(factor + half)});
   }
   return intervals;
+}
+
+RootInterval relative_interval(const std::vector<SquaredError>& errors, const VarianceParts& fitted) {
+  constexpr double kMostRelative = 1;  // of a root: the logarithm of its error
+  const double factor = fitted.factors[0], value = std::sqrt(factor);
+  if (factor == 0) return {.value = 0, .low = 0, .high = std::sqrt(2 * fitted.deviations[0])};
+  const std::vector<Group> groups = single_groups(errors.size());
+  const double around =
+      deviations_of(resampled(groups, kVarianceSamples, [&](const std::vector<std::size_t>& chosen) -> Vector {
+        return {std::log(std::max(refit_variances(errors, chosen, 1, fitted).factors[0], 1e-3 * factor)) / 2};
+      }))[0];
+  const double own = fitted.deviations[0] / factor / 2;
+  const double half = std::min(kMostRelative, two_sided(groups.size() - 1) * std::max(around, own));
+  return {.value = value, .low = value * std::exp(-half), .high = value * std::exp(half)};
 }
 
 }  // namespace robot::fit

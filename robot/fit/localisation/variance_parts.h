@@ -11,11 +11,13 @@ namespace robot::fit {
 
 inline constexpr std::size_t kMostParts = 3;
 
-/// The squared errors of one event. Their expectation is the sum of `amounts` times the factors, for each degree of freedom.
+/// The squared errors of one event. For each degree of freedom their expectation is the sum of `amounts` times the factors, plus
+/// `known`.
 struct SquaredError {
   double squares = 0;                        // sum over the degrees of freedom
   double freedom = 1;                        // number of independent errors in it
   std::array<double, kMostParts> amounts{};  // of the parts, >= 0
+  double known = 0;                          // variance that is not fitted
 };
 
 /// Factors >= 0 of the parts.
@@ -45,5 +47,8 @@ struct RootInterval {
 /// Returns the intervals of the roots of the first `parts` factors. Whole groups of errors are resampled, at least two.
 std::vector<RootInterval> root_intervals(const std::vector<SquaredError>& errors, const std::vector<Group>& groups,
                                          std::size_t parts, const VarianceParts& fitted);
+
+/// Returns the interval of the root of the only factor by its relative error, as suits few errors.
+RootInterval relative_interval(const std::vector<SquaredError>& errors, const VarianceParts& fitted);
 
 }  // namespace robot::fit

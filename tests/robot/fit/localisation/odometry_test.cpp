@@ -4,8 +4,9 @@
 
 #include <cmath>
 #include <iostream>
+#include <map>
 #include "robot/fit/localisation/odometry_fit.h"
-#include "tests/support/planted_walks.h"
+#include "tests/support/planted_poses.h"
 #include "tests/support/simulated_robots.h"
 #include "tests/support/temporary_folder.h"
 
@@ -14,10 +15,10 @@ namespace robot::fit {
 namespace {
 
 TEST(Odometry, Try) {
-  tests::PlantedWalks planted{.models = tests::match_models()};
+  tests::PlantedPoses planted{.models = tests::match_models()};
   planted.minutes = 10;
   Drift drift;
-  for (const auto& walk : tests::planted_walks(planted, 6, 3)) add_drift(walk, drift);
+  for (const auto& walk : tests::planted_poses(planted, 6, 3)) add_drift(walk, drift);
   for (int fold = -1; fold < 6; ++fold) {
     std::vector<DriftWindow> others;
     for (auto& w : drift.windows) if ((int)w.recording % 5 != fold) others.push_back(w);
@@ -47,7 +48,7 @@ TEST(Odometry, Game) {
 }
 
 TEST(Odometry, Coverage) {
-  tests::PlantedWalks planted{.models = tests::match_models()};
+  tests::PlantedPoses planted{.models = tests::match_models()};
   planted.minutes = 10;
   std::map<std::string, std::array<double,4>> sums;
   const int N = getenv("N") ? atoi(getenv("N")) : 20;
@@ -55,7 +56,7 @@ TEST(Odometry, Coverage) {
   std::map<std::string, double> truth{{"localisation.translation_noise", l.translation_noise},{"localisation.rotation_noise", l.rotation_noise},{"localisation.rotation_per_metre", l.rotation_per_metre},{"localisation.bias", l.bias}};
   for (int i = 0; i < N; ++i) {
   Drift drift;
-  for (const auto& walk : tests::planted_walks(planted, 6, 3+i)) add_drift(walk, drift);
+  for (const auto& walk : tests::planted_poses(planted, 6, 3+i)) add_drift(walk, drift);
   const Report report = odometry_report(drift, planted.models);
   for (auto& f : report.figures) { auto& s = sums[f.name]; s[0] += 1; double t = truth[f.name]; s[1] += f.low <= t && t <= f.high; s[2] += f.value - t; s[3] += f.high - f.low; }
   }

@@ -1,4 +1,4 @@
-#include "tests/support/planted_walks.h"
+#include "tests/support/planted_poses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ const sim::Params& match_params() {
 /// The walk, tick by tick.
 class Walker {
  public:
-  Walker(const PlantedWalks& planted, std::uint64_t seed)
+  Walker(const PlantedPoses& planted, std::uint64_t seed)
       : planted_(planted),
         params_(match_params()),
         random_(seed),
@@ -79,6 +79,8 @@ class Walker {
     half_ = 2;
     write_game();
     place();
+    motion_.truth.pop_back();  // of the old place at this moment
+    write_truth();
   }
 
   void perceive() {
@@ -205,7 +207,7 @@ class Walker {
                              .attacks_plus = world_.home_attacks > 0});
   }
 
-  const PlantedWalks& planted_;
+  const PlantedPoses& planted_;
   const sim::Params& params_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
@@ -223,13 +225,13 @@ class Walker {
 
 sim::Models match_models() { return match_params().teams[0].models; }
 
-fit::WatchedMotion planted_walk(const PlantedWalks& planted, std::uint64_t seed) {
+fit::WatchedMotion planted_pose_walk(const PlantedPoses& planted, std::uint64_t seed) {
   return Walker(planted, seed).walk();
 }
 
-std::vector<fit::WatchedMotion> planted_walks(const PlantedWalks& planted, std::size_t robots, std::uint64_t seed) {
+std::vector<fit::WatchedMotion> planted_poses(const PlantedPoses& planted, std::size_t robots, std::uint64_t seed) {
   std::vector<fit::WatchedMotion> walks;
-  for (std::size_t i = 0; i < robots; ++i) walks.push_back(planted_walk(planted, 1000 * seed + i));
+  for (std::size_t i = 0; i < robots; ++i) walks.push_back(planted_pose_walk(planted, 1000 * seed + i));
   return walks;
 }
 

@@ -9,7 +9,7 @@
 
 namespace robot::tests {
 
-struct PlantedWalks {
+struct PlantedPoses {
   sim::Models models;             // its localisation is planted; flips and falls shift the pose if their effects are on
   double minutes = 20;            // of a robot
   double truth_error = 0.02;      // [m] of each place, each axis
@@ -25,9 +25,9 @@ struct PlantedWalks {
 sim::Models match_models();
 
 /// Returns a walk on an empty field: odometry, poses, status, game, head and truth at 30 Hz. It is the same for the same seed.
-fit::WatchedMotion planted_walk(const PlantedWalks& planted, std::uint64_t seed);
+fit::WatchedMotion planted_pose_walk(const PlantedPoses& planted, std::uint64_t seed);
 
 /// Returns the walks of several robots.
-std::vector<fit::WatchedMotion> planted_walks(const PlantedWalks& planted, std::size_t robots, std::uint64_t seed);
+std::vector<fit::WatchedMotion> planted_poses(const PlantedPoses& planted, std::size_t robots, std::uint64_t seed);
 
 }  // namespace robot::tests
