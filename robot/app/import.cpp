@@ -5,8 +5,10 @@
 #include "robot/lab/import/bhuman2009.h"
 #include "robot/lab/import/label_rows.h"
 #include "robot/lab/import/nblog.h"
+#include "robot/lab/import/resting_ball.h"
 #include "robot/lab/import/session_sink.h"
 #include "robot/lab/import/spl_labels.h"
+#include "robot/lab/import/teamcomm.h"
 #include "robot/lab/import/truth_feeds.h"
 #include "robot/lab/synthetic/synthetic.h"
 #include "robot/logging/sessions/session_name.h"
@@ -25,6 +27,7 @@ std::string format_of(std::string_view bytes) {
   // an nblog begins with 4 bytes for the size of its header; the header begins with its name
   if (bytes.size() > 10 && bytes.substr(4, 6) == "(nblog") return "nblog";
   if (truth::is_ssl_log(bytes)) return "ssl_log";
+  if (lab::is_teamcomm_log(bytes)) return "teamcomm";
   if (lab::labels::is_label_file(bytes)) return "spl_labels";
   return truth::is_truth_csv(bytes) ? "truth_csv" : "bhuman2009";
 }
@@ -36,12 +39,17 @@ std::uint64_t start_ns_of(const std::string& format, std::string_view bytes) {
   return kUndatedEpochNs;
 }
 
-Result<lab::ImportReport> import_bytes(const std::string& format, std::string_view bytes, const truth::SslTeams& teams,
+Result<lab::ImportReport> import_bytes(const std::string& format, std::string_view bytes, const ImportRequest& request,
                                        lab::ImportSink& sink) {
-  if (format == "bhuman2009") return lab::import_bhuman2009(bytes, kUndatedEpochNs, sink);
+  const auto bhuman2009 = [&](lab::ImportSink& to) { return lab::import_bhuman2009(bytes, kUndatedEpochNs, to); };
+  if (request.find_ball && format != "bhuman2009")
+    return Error{"--find-ball is for bhuman2009, got the format " + format};
+  if (request.find_ball) return lab::import_with_ball(sink, bhuman2009);
+  if (format == "bhuman2009") return bhuman2009(sink);
   if (format == "nblog") return lab::import_nblog(bytes, kUndatedEpochNs, sink);
   if (format == "spl_labels") return lab::import_spl_labels(bytes, kUndatedEpochNs, sink);
-  if (format == "ssl_log") return lab::import_ssl_log(bytes, teams, sink);
+  if (format == "teamcomm") return lab::import_teamcomm(bytes, kUndatedEpochNs, sink);
+  if (format == "ssl_log") return lab::import_ssl_log(bytes, request.teams, sink);
   if (format == "truth_csv") return lab::import_truth_csv(bytes, kUndatedEpochNs, sink);
   return Error{"import: expected the format auto or one of " + std::string(kImportFormats) + ", got '" + format + "'"};
 }
@@ -58,6 +66,9 @@ PlayedBy rules_of(const std::string& format) {
     return {"spl2012:3", "assumed: the rules spl2012:3, because the league of 2009 played three a side on 6 x 4 m"};
   if (format == "nblog")
     return {"spl2025:5", "assumed: the rules spl2025:5, because the league of 2014 played five a side on 9 x 6 m"};
+  if (format == "teamcomm")
+    return {"spl2025:5",
+            "assumed: the rules spl2025:5, because packets of version 6 are of 2015 and 2016, five a side on 9 x 6 m"};
   if (format == "ssl_log" || format == "truth_csv") return {"", ""};
   return {kWideField, ""};
 }
@@ -104,7 +115,7 @@ Result<Imported> import_recording(const ImportRequest& request) {
                               : request.session;
   auto report = write_import(session, session_info(request.robot, request.name, played.rules, start_ns),
                              [&](lab::ImportSink& sink) -> Result<lab::ImportReport> {
-                               Result<lab::ImportReport> filled = import_bytes(format, *bytes, request.teams, sink);
+                               Result<lab::ImportReport> filled = import_bytes(format, *bytes, request, sink);
                                if (filled && filled->messages.empty())
                                  return Error{"import: " + request.file.string() + " contains no message" +
                                               (filled->damage.empty() ? "" : ": " + filled->damage)};

@@ -19,11 +19,12 @@ struct ImportRequest {
   std::filesystem::path out;
   RobotName robot;
   std::string name;
-  truth::SslTeams teams;  // of ssl_log
+  truth::SslTeams teams;   // of ssl_log
+  bool find_ball = false;  // bhuman2009: adds `vision` with the orange ball and a truth by odometry
 };
 
 /// The formats of other programs, as in sentences.
-inline constexpr const char* kImportFormats = "bhuman2009, nblog, spl_labels, ssl_log, truth_csv";
+inline constexpr const char* kImportFormats = "bhuman2009, nblog, spl_labels, ssl_log, teamcomm, truth_csv";
 
 /// The result of an import.
 struct Imported {

@@ -31,10 +31,27 @@ std::uint32_t height_of(const sim::perception::Camera& camera) {
   return size_of(camera, camera.lower_edge - camera.upper_edge);
 }
 
-/// Returns the radius [px] of a ball `range` [m] away in the middle of the image.
-float radius_at(const sim::perception::Camera& camera, float ball_radius, float range) {
+/// The direction of a line of sight: unit vector in the camera's frame, and its angles in the robot's frame.
+struct Sight {
+  double bearing, elevation;  // [rad, robot]
+  double right, below, ahead;
+};
+
+/// Returns the line of sight to a ball at `place` [m, robot], whose middle is `down` [m] below the camera.
+Sight sight_of(const Axis& axis, const sim::Vec2& place, double down) {
+  const double bearing = std::atan2(place.y, place.x), elevation = -std::atan2(down, sim::length(place));
+  const double off = bearing - axis.yaw, flat = std::cos(elevation) * std::cos(off);
+  return {.bearing = bearing,
+          .elevation = elevation,
+          .right = -std::cos(elevation) * std::sin(off),
+          .below = -std::sin(elevation) * std::cos(axis.pitch) - flat * std::sin(axis.pitch),
+          .ahead = flat * std::cos(axis.pitch) - std::sin(elevation) * std::sin(axis.pitch)};
+}
+
+/// Returns the radius [px] of a ball `range` [m] away, seen in this direction: beside the axis it looks larger.
+float radius_of(const sim::perception::Camera& camera, float ball_radius, float range, const Sight& sight) {
   const double far = std::max(std::hypot(range, camera.height - ball_radius), 1.01f * ball_radius);
-  return static_cast<float>(focal_of(camera) * std::tan(std::asin(ball_radius / far)));
+  return static_cast<float>(focal_of(camera) * std::tan(std::asin(ball_radius / far)) / std::max(sight.ahead, 0.1));
 }
 
 }  // namespace
@@ -50,7 +67,10 @@ SimulatedImage image_of(const sim::Params& params, const sim::World& world, int 
                                                      params.marks,   common.contact, common.ball};
   image.ball = sim::perception::look_for_ball(perception, world, robot, 1, false);
   if (!image.ball.seen) return image;
-  image.ball_radius = radius_at(own.perception.camera, common.ball.radius, sim::length(image.ball.position));
+  const sim::perception::Camera& camera = own.perception.camera;
+  const float size = common.ball.radius;
+  image.ball_radius = radius_of(camera, size, image.ball.range,
+                                sight_of(axis_of(image, camera), image.ball.position, camera.height - size));
   if (!own.effects.ball_noise) return image;
   const auto words = sim::draw(world.key, static_cast<std::uint32_t>(robot), sim::Draw::ball_size, world.tick);
   const float error = std::sqrt(0.5f) * own.perception.noise.pixels * sim::normals(words[0], words[1])[0];
@@ -80,25 +100,18 @@ void to_proto(const SimulatedImage& image, const sim::Models& models, foresight:
   message.set_image_width(width_of(camera)), message.set_image_height(height_of(camera));
   message.clear_ball();
   if (!image.ball.seen) return;
-  const Axis axis = axis_of(image, camera);
   const sim::Vec2 place = image.ball.position;
-  const double distance = sim::length(place), down = camera.height - models.ball.radius;
-  const double bearing = std::atan2(place.y, place.x), elevation = -std::atan2(down, distance);
-  // the line of sight in the camera's frame
-  const double off = bearing - axis.yaw, flat = std::cos(elevation) * std::cos(off);
-  const double right = -std::cos(elevation) * std::sin(off);
-  const double below = -std::sin(elevation) * std::cos(axis.pitch) - flat * std::sin(axis.pitch);
-  const double ahead = flat * std::cos(axis.pitch) - std::sin(elevation) * std::sin(axis.pitch);
+  const Sight sight = sight_of(axis_of(image, camera), place, camera.height - models.ball.radius);
   foresight::VisualBall& ball = *message.mutable_ball();
   foresight::Detection& detection = *ball.mutable_detection();
   detection.set_camera(foresight::Detection::CAMERA_TOP);
-  detection.set_image_x(static_cast<float>(message.image_width() / 2. + focal_of(camera) * right / ahead));
-  detection.set_image_y(static_cast<float>(message.image_height() / 2. + focal_of(camera) * below / ahead));
-  detection.set_angle_x(static_cast<float>(std::atan2(right, ahead)));
-  detection.set_angle_y(static_cast<float>(std::atan2(below, ahead)));
+  detection.set_image_x(static_cast<float>(message.image_width() / 2. + focal_of(camera) * sight.right / sight.ahead));
+  detection.set_image_y(static_cast<float>(message.image_height() / 2. + focal_of(camera) * sight.below / sight.ahead));
+  detection.set_angle_x(static_cast<float>(std::atan2(sight.right, sight.ahead)));
+  detection.set_angle_y(static_cast<float>(std::atan2(sight.below, sight.ahead)));
   detection.set_x(place.x), detection.set_y(place.y);
-  detection.set_distance(static_cast<float>(distance)), detection.set_bearing(static_cast<float>(bearing));
-  detection.set_elevation(static_cast<float>(elevation));
+  detection.set_distance(sim::length(place)), detection.set_bearing(static_cast<float>(sight.bearing));
+  detection.set_elevation(static_cast<float>(sight.elevation));
   ball.set_radius(image.ball_radius);
   if (models.effects.ball_noise || image.ball.heat > 0) ball.set_heat(image.ball.heat);
 }

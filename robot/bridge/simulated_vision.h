@@ -2,7 +2,7 @@
 //
 // The simulator's camera model joins both cameras of a Nao. So a simulated robot has one camera, the top one, whose image spans the
 // view of both. A pixel of it is as large as the model says. The simulated view ends at bearings, the image of a pinhole at a
-// rectangle: near its corners they differ by up to 2°.
+// rectangle. Far things are in both or in none within 2°; a ball at the feet may be in the image alone.
 #pragma once
 
 #include "proto/foresight/camera.pb.h"

@@ -39,28 +39,31 @@ Result<WatchedRobot> placed(const std::string& name, const logging::Session& ses
   if (!robot.offset) return Error{"its clock's offset to " + game->name + " is not known: " + robot.offset.error()};
   auto own = lab::own_path(game->record, robot);
   if (!own) return Error{"it is not found in " + game->name + ": " + own.error()};
-  return WatchedRobot{
-      .name = name, .session = session, .game = game, .path = std::move(own->path), .clock = robot.offset->clock};
+  return WatchedRobot{.name = name,
+                      .session = session,
+                      .game = game,
+                      .path = std::move(own->path),
+                      .clock = robot.offset->clock,
+                      .clock_by = robot.offset->by};
 }
 
-/// Returns the robots whose beliefs or motion a recording holds: "14/2".
+/// Returns the robots whose percepts, beliefs or motion a recording holds: "14/2".
 std::vector<std::string> robots_in(const logging::Session& session) {
   std::set<std::string> names;
   for (const logging::StreamFile& stream : session.streams) {
     const std::vector<std::string_view> parts = split(stream.topic, "/");
     if (parts.size() != 4 || !parts[0].empty()) continue;
-    if (parts[3] == "pose" || parts[3] == "ball" || parts[3] == "motion_status")
+    if (parts[3] == "pose" || parts[3] == "ball" || parts[3] == "motion_status" || parts[3] == "vision")
       names.insert(std::string(parts[1]) + "/" + std::string(parts[2]));
   }
   return {names.begin(), names.end()};
 }
 
-/// Adds a robot, or the reason why it is left out.
-void take(const std::string& name, Result<WatchedRobot> robot, Evidence& evidence) {
-  if (robot)
-    evidence.robots.push_back(std::move(*robot));
-  else
-    evidence.left_out.push_back(name + ": " + robot.error());
+/// Adds a robot. Without a place in a truth it is added as such, with the reason.
+void take(const std::string& name, const logging::Session& session, Result<WatchedRobot> robot, Evidence& evidence) {
+  if (robot) return evidence.robots.push_back(std::move(*robot));
+  evidence.left_out.push_back(name + ": " + robot.error());
+  evidence.untracked.push_back({.name = name, .session = session});
 }
 
 /// Places each robot of a recording in the truth of this recording.
@@ -72,8 +75,8 @@ void place_in_own_truth(const logging::Session& session, const std::shared_ptr<c
     of_one.info.robot = one;
     const std::string name = game->name + (robots.size() > 1 ? " " + one : "");
     lab::RobotRecord record = lab::read_robot(of_one, game->record.epoch_ns);
-    if (record.empty()) continue;
-    take(name, placed(name, of_one, game, {.session = 0, .record = std::move(record), .offset = lab::TruthOffset{}}),
+    take(name, of_one,
+         placed(name, of_one, game, {.session = 0, .record = std::move(record), .offset = lab::TruthOffset{}}),
          evidence);
   }
 }
@@ -131,7 +134,7 @@ Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
       place_in_own_truth(*session, own, evidence);
       continue;
     }
-    take(name, in_any_truth(name, *session, known, most_ns), evidence);
+    take(name, *session, in_any_truth(name, *session, known, most_ns), evidence);
   }
   return evidence;
 }

@@ -27,6 +27,7 @@ struct WatchedRobot {
   std::shared_ptr<const TrueGame> game;
   lab::Path path;         // of this robot in the truth
   lab::DataOffset clock;  // of its clock to that of the truth; exact if both are in one recording
+  std::string clock_by;   // how that was found: lab::TruthOffset::by; empty: both are in one recording
 
   /// Returns a capture time of the robot by its own clock [s] since the epoch of the truth, for `clock`.
   double own_seconds(std::uint64_t capture_ns) const;
@@ -34,15 +35,22 @@ struct WatchedRobot {
   double true_seconds(std::uint64_t capture_ns) const;
 };
 
+/// A robot's recording without a place in any truth. It carries what needs no truth: the team's packets.
+struct UntrackedRobot {
+  std::string name;          // as of a WatchedRobot
+  logging::Session session;  // likewise
+};
+
 struct Evidence {
   std::vector<std::shared_ptr<const TrueGame>> games;
   std::vector<WatchedRobot> robots;
-  std::vector<std::string> left_out;  // one sentence for each recording that cannot be used
+  std::vector<UntrackedRobot> untracked;  // each has a sentence in `left_out`, too
+  std::vector<std::string> left_out;      // one sentence for each robot that cannot be compared with a truth
 };
 
 /// Reads recordings of robots and of ground truth, and finds for each robot the truth of its game. That is the truth in its own
 /// recording, else one whose times overlap and whose clock can be compared. A recording with its own truth may hold several
-/// robots: a simulated game. A robot without one is left out with the reason. Returns an
+/// robots: a simulated game. A robot without one is `untracked`, and `left_out` has the reason. Returns an
 /// Error if a recording cannot be read, or if `truths` names one without /truth/world. Clocks may differ by at most `most_ns`.
 Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
                         const std::vector<std::filesystem::path>& truths, std::uint64_t most_ns);

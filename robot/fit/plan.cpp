@@ -98,6 +98,13 @@ void add_kick_needs(const Evidence& evidence, const KickFacts& facts, std::vecto
   }
 }
 
+/// Formats half an interval: "± 3.1 %", "± 0.012 m/s", or "-" if it is not known.
+std::string width_of(double half, const std::string& unit) {
+  if (half == 0) return "-";
+  if (unit == "%") return formatted("± %.1f %%", 100 * half);
+  return formatted("± %.2g %s", half, unit.c_str());
+}
+
 }  // namespace
 
 std::vector<Need> plan(const Evidence& evidence, const KickFacts& facts) {
@@ -109,13 +116,12 @@ std::vector<Need> plan(const Evidence& evidence, const KickFacts& facts) {
 }
 
 std::string to_text(const std::vector<Need>& needs) {
-  std::string text = formatted("%-27s %8s %-11s %8s %8s %6s\n", "figure", "recorded", "", "known to", "wanted", "more");
-  for (const Need& need : needs) {
-    const std::string loose = need.loose > 0 ? formatted("%.1f %%", 100 * need.loose) : "-";
-    text += formatted("%-27s %8zu %-11s %8s %6.0f %% %6s  %s\n", need.figure.c_str(), need.events, need.kind.c_str(),
-                      loose.c_str(), 100 * need.wanted, need.more > 0 ? formatted("%zu", need.more).c_str() : "enough",
-                      need.advice.c_str());
-  }
+  std::string text =
+      formatted("%-38s %8s %-22s %12s %12s %6s\n", "figure", "recorded", "", "known to", "wanted", "more");
+  for (const Need& need : needs)
+    text += formatted("%-38s %8zu %-22s %12s %12s %6s  %s\n", need.figure.c_str(), need.events, need.kind.c_str(),
+                      width_of(need.loose, need.unit).c_str(), width_of(need.wanted, need.unit).c_str(),
+                      need.more > 0 ? formatted("%zu", need.more).c_str() : "enough", need.advice.c_str());
   return text;
 }
 

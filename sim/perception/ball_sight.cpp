@@ -121,7 +121,8 @@ BallPercept detect_ball(const PerceptionParams& params, const World& world, int 
   BallPercept percept{.seen = true,
                       .position = turned_back(sighting.to_it, body.facing),
                       .velocity = turned_back(world.ball.velocity, body.facing),
-                      .ago = ago};
+                      .ago = ago,
+                      .range = range};
   if (effects.ball_noise) {
     const Vec2 place = percept.position;
     const ImageNoise noise = image_noise(model, body);
@@ -154,7 +155,7 @@ BallPercept detect_false_ball(const PerceptionParams& params, const World& world
   const Vec2 place = turned(range * body.look, direction(camera.width * (uniform(words[2]) - 0.5f)));
   const Sighting sighting{turned(place, body.facing), range * range, camera.height - params.ball.radius};
   if (!in_view(camera, body, look_of(body), params.model.ball.far_range, sighting)) return {};
-  return {.seen = true, .position = place};
+  return {.seen = true, .position = place, .range = range};
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ struct BallPercept {
   Vec2 velocity;   // [m/s, robot's axes] measured from several images; the true one without noise; 0 of a false ball
   Images images;   // source of position and velocity
   Tick ago = 0;    // [ticks] age of the newest of them
-  float heat = 0;  // [0..1] how likely an opponent is about to kick the ball
+  float range = 0;  // [m] true distance of the thing that the newest image shows
+  float heat = 0;   // [0..1] how likely an opponent is about to kick the ball
 };
 
 /// Returns the percept of the last `steps` images of a robot, the newest at `world.tick`. Position and velocity are

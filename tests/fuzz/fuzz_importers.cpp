@@ -6,7 +6,9 @@
 
 #include "robot/lab/import/bhuman2009.h"
 #include "robot/lab/import/nblog.h"
+#include "robot/lab/import/resting_ball.h"
 #include "robot/lab/import/spl_labels.h"
+#include "robot/lab/import/teamcomm.h"
 #include "robot/lab/import/truth_feeds.h"
 #include "robot/truth/feeds/ssl_vision.h"
 
@@ -37,7 +39,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   Swallow sink;
-  switch (data[0] % 6) {
+  const auto recording_of_2009 = [bytes](robot::lab::ImportSink& to) {
+    return robot::lab::import_bhuman2009(bytes, 0, to);
+  };
+  switch (data[0] % 8) {
+    case 0: static_cast<void>(robot::lab::import_with_ball(sink, recording_of_2009)); break;
+    case 7: static_cast<void>(robot::lab::import_teamcomm(bytes, 0, sink)); break;
     case 5: static_cast<void>(robot::lab::import_ssl_log(bytes, {}, sink)); break;
     case 4: static_cast<void>(robot::lab::import_truth_csv(bytes, 0, sink)); break;
     case 3: static_cast<void>(robot::lab::import_spl_labels(bytes, 0, sink)); break;

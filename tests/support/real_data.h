@@ -30,7 +30,7 @@ inline bool real_data_required() {
 
 /// Defines `path` as the real recording `relative`, or ends the test as skipped, or as failed if data are required.
 #define REAL_DATA_OR_SKIP(path, relative)                                                                        \
-  const std::optional<std::filesystem::path> path##_found = tests::real_data(relative);                          \
-  if (!path##_found && tests::real_data_required()) FAIL() << relative << " is not in $FORESIGHT_DATA";          \
+  const std::optional<std::filesystem::path> path##_found = ::tests::real_data(relative);                        \
+  if (!path##_found && ::tests::real_data_required()) FAIL() << relative << " is not in $FORESIGHT_DATA";        \
   if (!path##_found) GTEST_SKIP() << "needs the recording " << relative << "; set FORESIGHT_DATA to its folder"; \
   const std::filesystem::path& path = *path##_found

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "robot/app/fit/fits.h"
+#include "robot/app/fit/report_page.h"
 #include "robot/core/text.h"
 #include "sim/report/page.h"
 #include "sim/report/plot.h"
@@ -12,23 +13,17 @@ namespace {
 
 using sim::report::escaped, sim::report::Plot;
 
-constexpr const char* kStyle = R"(
-:root { --truth: #1769d2; --robot: #d97706; --other: #8b95a5; }
-@media (prefers-color-scheme: dark) { :root { --truth: #6aa8ff; --robot: #f5a742; --other: #7d8796; } }
+const std::string kStyle = std::string(kMarkStyle) + R"(
 h2 { font-size: 19px; margin: 30px 0 8px; } p { max-width: 75ch; }
 .plots { display: grid; gap: 14px; grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); }
-figure { margin: 0; } figcaption { font-size: 13.5px; color: var(--soft); margin-top: 4px; }
+figure { margin: 0; } figcaption { font-size: 13.5px; color: var(--soft); margin: 4px 0; } figcaption b { color: var(--ink); }
 svg { display: block; width: 100%; height: auto; }
 .grid { stroke: var(--line); } .tick, .axis, .label { fill: var(--soft); font-size: 12px; }
 .tick.y { text-anchor: end; } .tick.x, .axis { text-anchor: middle; }
-.truth { fill: var(--truth); color: var(--truth); opacity: .55; } .robot { fill: var(--robot); color: var(--robot); opacity: .55; }
-.fitted { fill: none; stroke: var(--ink); stroke-width: 2; } .power { fill: none; stroke: var(--other); stroke-width: 1.5; stroke-dasharray: 5 4; }
-.even { fill: none; stroke: var(--other); stroke-width: 1; } .sure { fill: var(--ink); opacity: .13; } circle.end { display: none; }
-.key { display: inline-block; width: 11px; height: 11px; border-radius: 6px; margin: 0 5px 0 12px; background: currentColor; }
-.key.line { height: 2px; width: 20px; vertical-align: middle; border-radius: 0; } .key.power { background: var(--other); }
 .wide { overflow-x: auto; margin-top: 14px; } td, th { text-align: right; padding: 4px 0 4px 16px; white-space: nowrap; }
 td:first-child, th:first-child { text-align: left; padding-left: 0; }
 ul { padding-left: 20px; margin: 6px 0; } tr.loose td { color: var(--soft); }
+nav { display: flex; flex-wrap: wrap; gap: 4px 16px; margin: 8px 0 0; } a { color: var(--blue); }
 )";
 
 using Points = std::vector<std::pair<double, double>>;
@@ -39,7 +34,7 @@ std::string figure_of(const std::string& svg, const std::string& caption) {
 
 constexpr const char* kDistanceKeys =
     "<span class=\"key truth\"></span>truth<span class=\"key robot\"></span>the robot's vision"
-    "<span class=\"key line\"></span>fitted, with its 95 % band";
+    "<span class=\"key line fitted\"></span>fitted, with its 95 % band";
 
 /// Draws the distance over the radius: figure 11 of the thesis.
 std::string curve_plot(const fit::BallDistance& fit) {
@@ -59,14 +54,14 @@ std::string curve_plot(const fit::BallDistance& fit) {
     power.emplace_back(point.radius, fit.power_law.distance(point.radius));
   }
   Plot plot(0, 1.02 * fit.most_radius, 0, 1.1 * top);
-  plot.band("sure", radii, low, high);
+  plot.band("fitted", radii, low, high);
   plot.dots("robot", believed);
   plot.dots("truth", truth);
-  plot.line("power", power);
+  plot.line("other", power);
   plot.line("fitted", fitted);
   return figure_of(
       plot.svg("distance of the ball over its radius", "radius in the image [px of 640]"),
-      std::string("Distance [m] over the radius.") + kDistanceKeys + "<span class=\"key line power\"></span>power law");
+      std::string("Distance [m] over the radius.") + kDistanceKeys + "<span class=\"key line other\"></span>power law");
 }
 
 /// Draws what the robot and the curve say over what is true.
@@ -104,8 +99,8 @@ std::string held_out_table(const fit::BallDistance& fit) {
 }
 
 std::string part_of(const fit::BallDistance& fit) {
-  return "<h2>Distance of the ball from its size</h2>\n<div class=\"plots\">\n" + curve_plot(fit) + truth_plot(fit) +
-         "</div>\n" +
+  return "<h2 id=\"ball_distance\">Distance of the ball from its size</h2>\n<div class=\"plots\">\n" + curve_plot(fit) +
+         truth_plot(fit) + "</div>\n" +
          formatted(
              "<p class=\"soft\">Errors on images held out, %s. %zu images: left out were %zu without truth, %zu cut by "
              "the border and %zu damaged.</p>\n",
@@ -139,18 +134,18 @@ std::string part_of(const fit::Rolling& fit) {
   Points rolls;
   for (const fit::Roll& roll : fit.rolls) rolls.emplace_back(roll.speed, roll.deceleration);
   Plot plot(0, 1.05 * figure.domain.to, 0, 3 * figure.value);
-  plot.band("sure", {0, 1.05 * figure.domain.to}, {figure.low, figure.low}, {figure.high, figure.high});
+  plot.band("fitted", {0, 1.05 * figure.domain.to}, {figure.low, figure.low}, {figure.high, figure.high});
   plot.dots("truth", rolls);
   plot.line("fitted", {{0, figure.value}, {1.05 * figure.domain.to, figure.value}});
   std::vector<double> decelerations;
   for (const fit::Roll& roll : fit.rolls) decelerations.push_back(roll.deceleration);
   const std::string bars = histogram(decelerations, {.most = 3 * figure.value, .bars = 24, .unit = "rolls"},
                                      "free rolls by deceleration", "deceleration [m/s²]");
-  return "<h2>How the turf slows the ball</h2>\n<div class=\"plots\">\n" +
-         figure_of(
-             plot.svg("deceleration of free rolls over speed", "speed at the begin [m/s]"),
-             "Deceleration [m/s²].<span class=\"key truth\"></span>a free roll<span class=\"key line\"></span>fitted, "
-             "with its 95 % band") +
+  return "<h2 id=\"rolling\">How the turf slows the ball</h2>\n<div class=\"plots\">\n" +
+         figure_of(plot.svg("deceleration of free rolls over speed", "speed at the begin [m/s]"),
+                   "Deceleration [m/s²].<span class=\"key truth\"></span>a free roll<span class=\"key line "
+                   "fitted\"></span>fitted, "
+                   "with its 95 % band") +
          figure_of(bars, "Number of free rolls.") + "</div>\n";
 }
 
@@ -182,7 +177,7 @@ std::string speed_plot(const fit::KickFit& kick) {
 }
 
 std::string part_of(const fit::Kicks& kicks) {
-  std::string text;
+  std::string text = "<span id=\"kicks\"></span>";
   for (const fit::KickFit& kick : kicks.fits)
     text +=
         "<h2>Kick " + escaped(kick.kind) + "</h2>\n<div class=\"plots\">\n" + landing_plot(kick) + speed_plot(kick) +
@@ -197,7 +192,7 @@ std::string part_of(const fit::Kicks& kicks) {
 
 std::string figures_table(const Fits& fits) {
   std::string text =
-      "<h2>All figures</h2>\n<div class=\"card wide\"><table>\n<tr><th>figure</th><th>value</th><th>95 "
+      "<h2 id=\"figures\">All figures</h2>\n<div class=\"card wide\"><table>\n<tr><th>figure</th><th>value</th><th>95 "
       "%</th><th>unit</th><th>events</th><th>recordings</th><th>valid for</th></tr>\n";
   for (const fit::Figure& figure : fits.figures())
     text += formatted(
@@ -220,14 +215,20 @@ std::vector<std::string> recordings_of(const Fits& fits) {
   return names;
 }
 
-/// Returns the title: what was fitted.
+/// Returns the title: how much was fitted.
 std::string headline_of(const Fits& fits) {
-  std::vector<std::string> parts;
-  if (fits.ball_distance) parts.emplace_back("the ball's distance from its size");
-  if (fits.rolling) parts.emplace_back("how the turf slows the ball");
-  if (fits.kicks) parts.emplace_back("kicks");
-  if (parts.empty()) return "The recordings carry no model";
-  return "Fitted: " + joined(parts, ", ");
+  const auto figures = fits.figures();
+  if (figures.empty()) return "The recordings carry no model";
+  const auto known = std::ranges::count_if(figures, [](const fit::Figure& figure) { return figure.is_known(); });
+  return formatted("%zu figures fitted, %td of them known well", figures.size(), known);
+}
+
+/// Returns links to the parts of the page.
+std::string links_to(const std::vector<std::pair<std::string, std::string>>& parts) {
+  std::string links = "<nav>";
+  for (const auto& [name, title] : parts)
+    links += formatted("<a href=\"#%s\">%s</a>", name.c_str(), escaped(title).c_str());
+  return links + "</nav>\n";
 }
 
 std::string list_of(const std::string& title, const std::vector<std::string>& sentences) {
@@ -240,14 +241,23 @@ std::string list_of(const std::string& title, const std::vector<std::string>& se
 }  // namespace
 
 std::string page_of(const Fits& fits) {
-  std::string body = "<h1>" + headline_of(fits) + "</h1>\n";
-  if (fits.ball_distance) body += part_of(*fits.ball_distance);
-  if (fits.rolling) body += part_of(*fits.rolling);
-  if (fits.kicks) body += part_of(*fits.kicks);
+  std::vector<std::pair<std::string, std::string>> parts;
+  std::string shown;
+  const auto show = [&](const std::string& name, const std::string& title, const std::string& part) {
+    parts.emplace_back(name, title);
+    shown += part;
+  };
+  if (fits.ball_distance) show("ball_distance", "Distance of the ball from its size", part_of(*fits.ball_distance));
+  for (const fit::Report& report : fits.reports)
+    if (!report.pictures.empty()) show(report.name, report.title, part_of(report));
+  if (fits.rolling) show("rolling", "How the turf slows the ball", part_of(*fits.rolling));
+  if (fits.kicks) show("kicks", "How kicks send the ball", part_of(*fits.kicks));
+  parts.emplace_back("figures", "All figures");
+  std::string body = "<h1>" + headline_of(fits) + "</h1>\n" + links_to(parts) + shown;
   if (!fits.empty()) body += figures_table(fits);
   body += list_of("Kept as it was", fits.kept) + list_of("Recordings left out", fits.left_out) +
           list_of("Recordings", recordings_of(fits));
-  return sim::report::html_page("Fitted models", kStyle, body);
+  return sim::report::html_page("Fitted models", kStyle.c_str(), body);
 }
 
 }  // namespace robot::app

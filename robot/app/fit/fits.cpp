@@ -5,6 +5,16 @@
 
 #include "robot/core/json_library.h"
 #include "robot/core/text.h"
+#include "robot/fit/ball_noise/ball_noise.h"
+#include "robot/fit/ball_noise/latency.h"
+#include "robot/fit/falling/falling.h"
+#include "robot/fit/opponents/opponents.h"
+#include "robot/fit/plan.h"
+#include "robot/fit/radio/radio.h"
+#include "robot/fit/rebounds/rebounds.h"
+#include "robot/fit/visibility/false_balls.h"
+#include "robot/fit/visibility/visibility.h"
+#include "robot/fit/walking/walking.h"
 #include "sim/io/models.h"
 
 namespace robot::app {
@@ -32,48 +42,47 @@ nlohmann::ordered_json json_of(const fit::HeldOut& held_out) {
           {"mean", errors.mean},     {"median", errors.median}, {"p95", errors.p95}, {"bias", held_out.bias}};
 }
 
+bool is_wanted(const std::string& name, const std::vector<std::string>& only) {
+  return only.empty() || std::ranges::find(only, name) != only.end();
+}
+
 /// Makes a fit if it is wanted. A refusal becomes a sentence.
 template <class Make>
 auto made(const std::string& name, const std::vector<std::string>& only, Make&& make, std::vector<std::string>& kept) {
   using Made = std::optional<std::decay_t<decltype(*make())>>;
-  if (!only.empty() && std::ranges::find(only, name) == only.end()) return Made{};
+  if (!is_wanted(name, only)) return Made{};
   auto fit = make();
   if (fit) return Made{std::move(*fit)};
   kept.push_back(name + ": " + fit.error());
   return Made{};
 }
 
-}  // namespace
+/// A fit that reports as all do.
+struct Reporting {
+  const char* name;
+  fit::Report (*make)(const fit::Evidence&, const sim::Models&);
+};
+constexpr Reporting kReporting[] = {
+    {"walk", fit::fit_walking},
+    {"ball_noise", fit::fit_ball_noise},
+    {"latency", fit::fit_latency},
+    {"visibility", fit::fit_visibility},
+    {"false_balls", fit::fit_false_balls},
+    {"rebounds", fit::fit_rebounds},
+    {"falls", fit::fit_falling},
+    {"radio", fit::fit_radio},
+    {"opponents", fit::fit_opponents},
+};
 
-const std::vector<std::string>& names_of_fits() {
-  static const std::vector<std::string> names{"ball_distance", "rolling", "kicks"};
-  return names;
+Result<void> check_names(const std::vector<std::string>& only) {
+  const std::vector<std::string>& names = names_of_fits();
+  for (const std::string& name : only)
+    if (std::ranges::find(names, name) == names.end())
+      return Error{"--only: expected " + joined(names, ", ") + ", got '" + printable(name, 40) + "'"};
+  return {};
 }
 
-std::vector<fit::Figure> Fits::figures() const {
-  std::vector<fit::Figure> all;
-  if (ball_distance) all = ball_distance->figures;
-  if (rolling) all.push_back(rolling->deceleration);
-  if (!kicks) return all;
-  for (const fit::KickFit& kick : kicks->fits) all.insert(all.end(), kick.figures.begin(), kick.figures.end());
-  all.push_back(kicks->partial);
-  return all;
-}
-
-std::vector<std::pair<std::string, fit::Table>> Fits::tables() const {
-  std::vector<std::pair<std::string, fit::Table>> all;
-  if (ball_distance) all.emplace_back("ball_distance", table_of(*ball_distance));
-  if (rolling) all.emplace_back("rolling", table_of(*rolling));
-  if (kicks)
-    for (const fit::KickFit& kick : kicks->fits)
-      all.emplace_back("kick_" + kick.kind, table_of(kick, kicks->recordings));
-  return all;
-}
-
-Result<fit::KickFacts> kick_facts(const std::string& base) {
-  const auto loaded = sim::io::load_models(base);
-  if (!loaded) return loaded.failure();
-  const sim::Models& models = *loaded;
+fit::KickFacts facts_of(const sim::Models& models) {
   fit::KickFacts facts{.kinds = {}, .deceleration = models.ball.deceleration, .spread = models.motion.hits.spread};
   for (int i = 0; i < models.motion.kick_count; ++i) {
     const sim::motion::Kick& kick = models.motion.kicks[i];
@@ -86,13 +95,53 @@ Result<fit::KickFacts> kick_facts(const std::string& base) {
   return facts;
 }
 
+/// Adds a sentence for each figure that is known too loosely.
+void keep_loose(Fits& fits) {
+  for (const fit::Figure& figure : fits.figures())
+    if (!figure.is_known())
+      fits.kept.push_back(formatted("%s: it is known to ± %.2g%s%s only, and stays", figure.name.c_str(),
+                                    (figure.high - figure.low) / 2, figure.unit.empty() ? "" : " ",
+                                    figure.unit.c_str()));
+}
+
+}  // namespace
+
+const std::vector<std::string>& names_of_fits() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all{"ball_distance", "rolling", "kicks"};
+    for (const Reporting& one : kReporting) all.emplace_back(one.name);
+    return all;
+  }();
+  return names;
+}
+
+std::vector<fit::Figure> Fits::figures() const {
+  std::vector<fit::Figure> all;
+  if (ball_distance) all = ball_distance->figures;
+  if (rolling) all.push_back(rolling->deceleration);
+  if (kicks) {
+    for (const fit::KickFit& kick : kicks->fits) all.insert(all.end(), kick.figures.begin(), kick.figures.end());
+    all.push_back(kicks->partial);
+  }
+  for (const fit::Report& report : reports) all.insert(all.end(), report.figures.begin(), report.figures.end());
+  return all;
+}
+
+std::vector<std::pair<std::string, fit::Table>> Fits::tables() const {
+  std::vector<std::pair<std::string, fit::Table>> all;
+  if (ball_distance) all.emplace_back("ball_distance", table_of(*ball_distance));
+  if (rolling) all.emplace_back("rolling", table_of(*rolling));
+  if (kicks)
+    for (const fit::KickFit& kick : kicks->fits)
+      all.emplace_back("kick_" + kick.kind, table_of(kick, kicks->recordings));
+  for (const fit::Report& report : reports) all.insert(all.end(), report.tables.begin(), report.tables.end());
+  return all;
+}
+
 Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::string>& only, const std::string& base) {
-  const std::vector<std::string>& names = names_of_fits();
-  for (const std::string& name : only)
-    if (std::ranges::find(names, name) == names.end())
-      return Error{"--only: expected " + joined(names, ", ") + ", got '" + printable(name, 40) + "'"};
-  auto facts = kick_facts(base);
-  if (!facts) return facts.failure();
+  if (const auto checked = check_names(only); !checked) return checked.failure();
+  auto models = sim::io::load_models(base);
+  if (!models) return models.failure();
   Fits fits;
   fits.left_out = evidence.left_out;
   fits.ball_distance = made(
@@ -101,17 +150,29 @@ Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::strin
       "rolling", only, [&] { return fit::fit_rolling(evidence); }, fits.kept);
   if (fits.rolling) {
     fits.kept.push_back(fits.rolling->kept);
-    facts->deceleration = fits.rolling->deceleration.value;
+    models->ball.deceleration = static_cast<float>(fits.rolling->deceleration.value);
   }
   fits.kicks = made(
-      "kicks", only, [&] { return fit::fit_kicks(evidence, *facts); }, fits.kept);
+      "kicks", only, [&] { return fit::fit_kicks(evidence, facts_of(*models)); }, fits.kept);
   if (fits.kicks) fits.kept.insert(fits.kept.end(), fits.kicks->kept.begin(), fits.kicks->kept.end());
-  for (const fit::Figure& figure : fits.figures())
-    if (!figure.is_known())
-      fits.kept.push_back(formatted("%s: it is known to ± %.2g%s%s only, and stays", figure.name.c_str(),
-                                    (figure.high - figure.low) / 2, figure.unit.empty() ? "" : " ",
-                                    figure.unit.c_str()));
+  for (const Reporting& one : kReporting) {
+    if (!is_wanted(one.name, only)) continue;
+    fit::Report& report = fits.reports.emplace_back(one.make(evidence, *models));
+    fits.kept.insert(fits.kept.end(), report.kept.begin(), report.kept.end());
+  }
+  keep_loose(fits);
   return fits;
+}
+
+Result<std::vector<fit::Need>> needs_of(const fit::Evidence& evidence, const std::string& base) {
+  const auto models = sim::io::load_models(base);
+  if (!models) return models.failure();
+  std::vector<fit::Need> needs = fit::plan(evidence, facts_of(*models));
+  for (const Reporting& one : kReporting) {
+    const fit::Report report = one.make(evidence, *models);
+    needs.insert(needs.end(), report.needs.begin(), report.needs.end());
+  }
+  return needs;
 }
 
 std::string to_text(const Fits& fits) {
@@ -119,6 +180,8 @@ std::string to_text(const Fits& fits) {
   if (fits.ball_distance) text += to_text(*fits.ball_distance) + '\n';
   if (fits.rolling) text += to_text(*fits.rolling) + '\n';
   if (fits.kicks) text += to_text(*fits.kicks) + '\n';
+  for (const fit::Report& report : fits.reports)
+    if (!report.empty() || !report.results.empty()) text += to_text(report) + '\n';
   for (const std::string& sentence : fits.kept) text += "kept      " + sentence + '\n';
   for (const std::string& sentence : fits.left_out) text += "left out  " + sentence + '\n';
   return text;
@@ -141,6 +204,8 @@ nlohmann::ordered_json to_json(const Fits& fits) {
                                   {"covered", kick.covered},
                                   {"crps", kick.crps},
                                   {"constant_error", kick.constant_error}};
+  for (const fit::Report& report : fits.reports)
+    for (const auto& [name, score] : report.scores) json[report.name][name] = score;
   json["kept"] = fits.kept;
   json["left_out"] = fits.left_out;
   return json;

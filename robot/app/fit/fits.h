@@ -9,6 +9,7 @@
 #include "robot/core/result.h"
 #include "robot/fit/ball_distance/ball_distance.h"
 #include "robot/fit/kicks/kicks.h"
+#include "robot/fit/report.h"
 #include "robot/fit/rolling/rolling.h"
 
 namespace robot::app {
@@ -21,22 +22,24 @@ struct Fits {
   std::optional<fit::BallDistance> ball_distance;
   std::optional<fit::Rolling> rolling;
   std::optional<fit::Kicks> kicks;
+  std::vector<fit::Report> reports;   // of the fits that report alike
   std::vector<std::string> kept;      // one sentence for each model that stays as it is
   std::vector<std::string> left_out;  // one sentence for each recording that could not be used
 
-  bool empty() const { return !ball_distance && !rolling && !kicks; }
+  /// Reports whether there is no fitted figure.
+  bool empty() const { return figures().empty(); }
   /// Returns all fitted figures.
   std::vector<fit::Figure> figures() const;
   /// Returns the tables behind the fits by name.
   std::vector<std::pair<std::string, fit::Table>> tables() const;
 };
 
-/// Returns the facts about kicks that are not fitted, from the models `base`, a name or a file.
-Result<fit::KickFacts> kick_facts(const std::string& base);
-
 /// Fits the models named in `only`, or all if it is empty. `base` is the name or the file of models. They give the facts that are
 /// not fitted: the places of the ball for a kick, and the deceleration if no rolls show it. Returns an Error for an unknown name.
 Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::string>& only, const std::string& base);
+
+/// Returns what should be recorded next, for all fits. Returns an Error if `base` cannot be loaded.
+Result<std::vector<fit::Need>> needs_of(const fit::Evidence& evidence, const std::string& base);
 
 /// Formats the fits for a terminal, or as JSON.
 std::string to_text(const Fits& fits);

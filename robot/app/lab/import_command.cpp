@@ -27,6 +27,8 @@ class ImportCommand final : public Command {
         .add_option("--blue", request_.teams.blue, "ssl_log: number of the blue team")
         ->check(CLI::Range(0, 255))
         ->capture_default_str();
+    options().add_flag("--find-ball", request_.find_ball,
+                       "bhuman2009: add the orange ball of each picture, and a truth by odometry while it lies still");
     options().add_flag("--json", json_, "report as JSON");
   }
 

@@ -12,7 +12,7 @@ namespace {
 
 nlohmann::ordered_json json_of(const fit::Need& need) {
   return {{"figure", need.figure}, {"kind", need.kind}, {"events", need.events}, {"loose", need.loose},
-          {"wanted", need.wanted}, {"more", need.more}, {"advice", need.advice}};
+          {"wanted", need.wanted}, {"unit", need.unit}, {"more", need.more},     {"advice", need.advice}};
 }
 
 class PlanFitCommand final : public Command {
@@ -29,16 +29,15 @@ class PlanFitCommand final : public Command {
   int run() override {
     const auto evidence = recordings_.gather();
     if (!evidence) return fail(evidence.error());
-    const auto facts = kick_facts(base_);
-    if (!facts) return fail(facts.error());
-    const std::vector<fit::Need> needs = fit::plan(*evidence, *facts);
+    const auto needs = needs_of(*evidence, base_);
+    if (!needs) return fail(needs.error());
     if (json_) {
       auto all = nlohmann::ordered_json::array();
-      for (const fit::Need& need : needs) all.push_back(json_of(need));
+      for (const fit::Need& need : *needs) all.push_back(json_of(need));
       std::printf("%s\n", all.dump(2).c_str());
       return kDone;
     }
-    std::fputs(to_text(needs).c_str(), stdout);
+    std::fputs(to_text(*needs).c_str(), stdout);
     for (const std::string& sentence : evidence->left_out) std::printf("left out  %s\n", sentence.c_str());
     return kDone;
   }

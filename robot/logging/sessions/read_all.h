@@ -18,10 +18,10 @@ struct Recorded {
   std::uint64_t capture_ns = 0;  // [ns since the epoch]
 };
 
-/// Passes each message of `topic` and its capture time [ns since the epoch] to `visit`, in the order of writing. Leaves out
+/// Passes each message of `topic` and its record, with both times, to `visit`, in the order of writing. Leaves out
 /// damaged ones; the report of the session's streams names the damage.
 template <class Message, class Visit>
-void read_each(const Session& session, const std::string& topic, Visit&& visit) {
+void read_records(const Session& session, const std::string& topic, Visit&& visit) {
   const auto file = std::ranges::find(session.streams, topic, &StreamFile::topic);
   if (file == session.streams.end()) return;
   const auto stream = provider_of(session, *file);
@@ -31,8 +31,15 @@ void read_each(const Session& session, const std::string& topic, Visit&& visit) 
     const Result<std::optional<Record>> record = stream->read();
     if (!record) continue;
     if (!*record) break;
-    if (message.ParseFromString((*record)->bytes)) visit(message, (*record)->capture_ns);
+    if (message.ParseFromString((*record)->bytes)) visit(message, **record);
   }
+}
+
+/// Passes each message of `topic` and its capture time [ns since the epoch] to `visit`, as read_records() does.
+template <class Message, class Visit>
+void read_each(const Session& session, const std::string& topic, Visit&& visit) {
+  read_records<Message>(session, topic,
+                        [&](Message& message, const Record& record) { visit(message, record.capture_ns); });
 }
 
 /// Reads all messages of `topic`, in the order of writing, as read_each() does.

@@ -52,6 +52,31 @@ TEST_F(Import, LabelsHaveTheRulesOntoWhoseFieldTheyAreFitted) {
   EXPECT_EQ(info.about.find("assumed"), std::string::npos);
 }
 
+TEST_F(Import, OnlyARecordingOf2009HasABallToFind) {
+  ASSERT_TRUE(replace_file(folder / "file", "time,ball_x,ball_y\n0,1,2\n"));
+  const auto report = import_recording({.format = "truth_csv",
+                                        .file = folder / "file",
+                                        .session = folder / "session",
+                                        .robot = {.team = 14, .player = 2},
+                                        .find_ball = true});
+  ASSERT_FALSE(report);
+  EXPECT_NE(report.error().find("--find-ball is for bhuman2009, got the format truth_csv"), std::string::npos)
+      << report.error();
+}
+
+TEST_F(Import, ARecordingOf2009WithItsBallHasAVisionOfEachPicture) {
+  tests::Bhuman2009Writer writer;
+  writer.cognition({.time_ms = 10});
+  ASSERT_TRUE(replace_file(folder / "file", writer.file()));
+  const auto report = import_recording({.format = "bhuman2009",
+                                        .file = folder / "file",
+                                        .session = folder / "session",
+                                        .robot = {.team = 14, .player = 2},
+                                        .find_ball = true});
+  ASSERT_TRUE(report) << report.error();
+  EXPECT_EQ(report->report.messages.at("vision"), 1u);
+}
+
 TEST_F(Import, ATableOfPositionsBecomesASessionWithItsDate) {
   const logging::SessionInfo info =
       imported("truth_csv", "time,ball_x,ball_y\n2026-03-14T12:00:00Z,1,2\n2026-03-14T12:00:01Z,3,4\n");

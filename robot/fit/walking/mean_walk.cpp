@@ -1,0 +1,181 @@
+#include "robot/fit/walking/mean_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "sim/math/tick.h"
+#include "sim/motion/gait.h"
+#include "sim/motion/glide.h"
+#include "sim/motion/walk.h"
+
+namespace robot::fit {
+namespace {
+
+using sim::motion::Command, sim::motion::Gait, sim::motion::Luck, sim::motion::Walk;
+
+constexpr std::size_t kLucks = 16;  // equally likely
+constexpr int kStepPhases = 4;
+constexpr float kWalkTick = sim::kTickDuration;
+
+/// Returns the means of the sixteenths of the triangular distribution with standard deviation 1 (sim/motion/walk.cpp), scaled to
+/// that deviation.
+std::array<float, kLucks> luck_deviates() {
+  std::array<double, kLucks> means{};
+  double squares = 0;
+  for (std::size_t i = 0; i < kLucks / 2; ++i) {
+    // the lower half of the distribution: its quantile at p is √6 (√(2p) - 1)
+    const double from = static_cast<double>(i) / kLucks, to = static_cast<double>(i + 1) / kLucks;
+    const double root = std::sqrt(8.) / 3 * (std::pow(to, 1.5) - std::pow(from, 1.5)) * kLucks;
+    means[i] = std::sqrt(6.) * (root - 1);
+    means[kLucks - 1 - i] = -means[i];
+    squares += 2 * means[i] * means[i] / kLucks;
+  }
+  std::array<float, kLucks> scaled{};
+  for (std::size_t i = 0; i < kLucks; ++i) scaled[i] = static_cast<float>(means[i] / std::sqrt(squares));
+  return scaled;
+}
+
+/// Returns lucks of which each part alone has the distribution of the simulator. The parts hardly depend on each other.
+std::array<Luck, kLucks> lucks_of(const Walk& walk) {
+  static const std::array<float, kLucks> kLuckDeviates = luck_deviates();
+  std::array<Luck, kLucks> lucks;
+  for (std::size_t i = 0; i < kLucks; ++i) {
+    const float x = kLuckDeviates[i], y = kLuckDeviates[(7 * i + 3) % kLucks],
+                turn = kLuckDeviates[(5 * i + 9) % kLucks];
+    lucks[i] = {{std::max(0.f, 1 + walk.speed_noise * x), std::max(0.f, 1 + walk.speed_noise * y)},
+                walk.turn_noise * turn};
+  }
+  return lucks;
+}
+
+Gait gait_with(const Walk& walk, const Command& command, const Luck& luck) {
+  const sim::motion::Errand errand = sim::motion::errand_of(command);
+  if (command.body == Command::Body::walk_speed)
+    return sim::motion::at_speed(walk, true, errand.walk, errand.turn, luck);
+  const float gain = std::clamp(command.gain, 0.f, 1.f), squared = sim::squared_length(errand.walk);
+  if (squared > sim::motion::kNear * sim::motion::kNear)
+    return sim::motion::towards_far(walk, true, gain, errand.walk, squared, luck);
+  return sim::motion::towards_near(walk, true, gain, errand, walk.step_duration, luck);
+}
+
+WalkRates gait_rates_of(const Gait& gait) { return {gait.velocity.x, gait.velocity.y, gait.turn_rate}; }
+
+/// A body without a place, as in sim/motion/walk.cpp.
+class Legs {
+ public:
+  Legs(const Walk& walk, const std::array<Luck, kLucks>& lucks, bool walks)
+      : walk_(walk), lucks_(lucks), doing_(walks ? Doing::walking : Doing::standing) {}
+
+  /// Moves for one tick, at whose beginning a step may begin. Returns the mean rates.
+  WalkRates move(const Command& command, bool begins) {
+    const bool moves = velocity_ != sim::Vec2{} || turn_rate_ != 0;
+    const bool in_step = doing_ == Doing::walking || (doing_ == Doing::stopping && moves);
+    float moving = kWalkTick;  // [s] of the tick
+    if (!in_step || begins) {
+      moving = asks_to_walk(command) ? go() : halt(moves);
+      if (moving <= 0) return {};
+      wanted_ = doing_ == Doing::walking ? gait_of(command) : Gait{};
+    }
+    if (doing_ == Doing::stopping) since_ += kWalkTick;
+    const sim::Vec2 velocity = sim::motion::approach(velocity_, wanted_.velocity, walk_.acceleration * moving);
+    const float rate = sim::motion::approach(turn_rate_, wanted_.turn_rate, walk_.turn_acceleration * moving);
+    const float share = moving / kWalkTick;
+    return {share * velocity.x, share * velocity.y, share * rate};
+  }
+
+ private:
+  enum class Doing : unsigned char { standing, starting, walking, stopping };
+
+  /// Returns the time [s] of this tick in which the body walks.
+  float go() {
+    float moving = kWalkTick;
+    if (doing_ == Doing::standing) doing_ = Doing::starting, since_ = 0;
+    if (doing_ == Doing::starting) {
+      since_ += kWalkTick;
+      moving = std::min(kWalkTick, since_ - walk_.start_delay);
+    }
+    if (moving > 0) doing_ = Doing::walking;
+    return moving;
+  }
+
+  /// Returns the time [s] of this tick in which the body brakes.
+  float halt(bool moves) {
+    if (doing_ == Doing::starting) doing_ = Doing::standing;
+    if (doing_ == Doing::walking) doing_ = Doing::stopping, since_ = 0;
+    if (doing_ == Doing::stopping && !moves && since_ >= walk_.stop_delay) doing_ = Doing::standing;
+    return doing_ == Doing::stopping ? kWalkTick : 0;
+  }
+
+  Gait gait_of(const Command& command) {
+    if (has_told_ && command == told_) return told_gait_;
+    Gait mean;
+    for (const Luck& luck : lucks_) {
+      const Gait one = gait_with(walk_, command, luck);
+      mean.velocity += 1.f / kLucks * one.velocity;
+      mean.turn_rate += one.turn_rate / kLucks;
+    }
+    has_told_ = true, told_ = command, told_gait_ = mean;
+    return mean;
+  }
+
+  const Walk& walk_;
+  const std::array<Luck, kLucks>& lucks_;
+  Doing doing_;
+  float since_ = 0;  // [s] in `doing_`
+  sim::Vec2 velocity_;
+  float turn_rate_ = 0;
+  Gait wanted_;  // of the present step
+  bool has_told_ = false;
+  Command told_;
+  Gait told_gait_;
+};
+
+}  // namespace
+
+bool asks_to_walk(const Command& command) {
+  switch (command.body) {
+    case Command::Body::walk_speed: return command.walk != sim::Vec2{} || command.turn != 0;
+    case Command::Body::walk_to:
+      return sim::squared_length(command.walk) > sim::motion::kArrived * sim::motion::kArrived ||
+             std::abs(sim::motion::errand_of(command).turn) > sim::motion::kArrivedTurn;
+    default: return false;
+  }
+}
+
+MeanGait mean_gait(const Walk& walk, const Command& command) {
+  MeanGait gait;
+  WalkRates squares;
+  for (const Luck& luck : lucks_of(walk)) {
+    const WalkRates one = gait_rates_of(gait_with(walk, command, luck));
+    gait.mean.x += one.x / kLucks, gait.mean.y += one.y / kLucks, gait.mean.turn += one.turn / kLucks;
+    squares.x += one.x * one.x / kLucks, squares.y += one.y * one.y / kLucks;
+    squares.turn += one.turn * one.turn / kLucks;
+  }
+  const auto variance = [](double square, double mean) { return std::max(0., square - mean * mean); };
+  gait.variance = {variance(squares.x, gait.mean.x), variance(squares.y, gait.mean.y),
+                   variance(squares.turn, gait.mean.turn)};
+  return gait;
+}
+
+std::vector<WalkRates> mean_walk(const Walk& walk, const std::vector<Command>& commands) {
+  std::vector<WalkRates> rates(commands.size());
+  const std::array<Luck, kLucks> lucks = lucks_of(walk);
+  const float a_tick = kWalkTick / walk.step_duration;
+  for (int phase = 0; phase < kStepPhases; ++phase) {
+    Legs legs(walk, lucks, !commands.empty() && asks_to_walk(commands.front()));
+    float begun = (static_cast<float>(phase) + 0.5f) / kStepPhases;  // [steps]
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+      const bool begins = begun >= 1 || i == 0;
+      if (begun >= 1) begun -= 1;
+      begun += a_tick;
+      const WalkRates moved = legs.move(commands[i], begins);
+      rates[i].x += moved.x / kStepPhases, rates[i].y += moved.y / kStepPhases,
+          rates[i].turn += moved.turn / kStepPhases;
+    }
+  }
+  return rates;
+}
+
+}  // namespace robot::fit
