@@ -13,17 +13,17 @@ namespace {
 using sim::Body;
 
 /// The parameters of a match, which are read once.
-const sim::Params& match_params() {
+const sim::Params& planted_match() {
   static const auto game = sim::io::prepare({});
   return game->params;
 }
 
 /// The walk, tick by tick.
-class Walker {
+class PoseWalker {
  public:
-  Walker(const PlantedPoses& planted, std::uint64_t seed)
+  PoseWalker(const PlantedPoses& planted, std::uint64_t seed)
       : planted_(planted),
-        params_(match_params()),
+        params_(planted_match()),
         random_(seed),
         perception_{.model = planted.models.perception,
                     .effects = planted.models.effects,
@@ -223,10 +223,10 @@ class Walker {
 
 }  // namespace
 
-sim::Models match_models() { return match_params().teams[0].models; }
+sim::Models match_models() { return planted_match().teams[0].models; }
 
 fit::WatchedMotion planted_pose_walk(const PlantedPoses& planted, std::uint64_t seed) {
-  return Walker(planted, seed).walk();
+  return PoseWalker(planted, seed).walk();
 }
 
 std::vector<fit::WatchedMotion> planted_poses(const PlantedPoses& planted, std::size_t robots, std::uint64_t seed) {

@@ -10,6 +10,8 @@ namespace robot::fit {
 namespace {
 
 constexpr double kShareOfOutliers = 0.01, kOutlierWidth = 6;  // share of outliers, and their deviation in normal ones
+// share of the squares of normal errors that their weights keep, with one and with two degrees of freedom
+constexpr double kKeptOfOne = 0.98496, kKeptOfTwo = 0.99327;
 constexpr double kLeastVariance = 1e-10;
 constexpr double kSlowest = 0.3;  // of a factor in a round
 constexpr int kFirstRounds = 40, kLaterRounds = 8;
@@ -27,9 +29,10 @@ VarianceScoring variance_scoring_of(const std::vector<SquaredError>& errors, con
   for (const std::size_t i : chosen) {
     const SquaredError& error = errors[i];
     const double variance = now.variance_of(error);
+    const double squares = robust ? error.squares / (error.freedom < 1.5 ? kKeptOfOne : kKeptOfTwo) : error.squares;
     const double weight = (robust ? weight_of(error, variance) : 1) / (variance * variance);
     for (std::size_t a = 0; a < parts; ++a) {
-      scoring.right[a] += weight * error.amounts[a] * (error.squares - error.freedom * error.known);
+      scoring.right[a] += weight * error.amounts[a] * (squares - error.freedom * error.known);
       for (std::size_t b = 0; b < parts; ++b)
         scoring.matrix[a][b] += weight * error.freedom * error.amounts[a] * error.amounts[b];
     }
@@ -108,6 +111,17 @@ VarianceParts variance_start_of(const std::vector<SquaredError>& errors, const s
   return start;
 }
 
+/// Returns the interval of a root, for half an interval of the factor: of its logarithm if the factor is clearly not 0.
+RootInterval root_interval(double factor, double half) {
+  constexpr double kClear = 0.7;  // of the factor
+  const double value = std::sqrt(factor);
+  if (half < kClear * factor) {
+    const double share = std::exp(half / factor / 2);
+    return {.value = value, .low = value / share, .high = value * share};
+  }
+  return {.value = value, .low = std::sqrt(std::max(0., factor - half)), .high = std::sqrt(factor + half)};
+}
+
 void improve_variances(const std::vector<SquaredError>& errors, const std::vector<std::size_t>& chosen,
                        std::size_t parts, int rounds, VarianceParts& fit) {
   for (int round = 0; round < rounds; ++round) {
@@ -159,9 +173,7 @@ std::vector<RootInterval> root_intervals(const std::vector<SquaredError>& errors
   for (std::size_t a = 0; a < parts; ++a) {
     // resampled factors that stay at 0 would deviate too little
     const double half = two_sided(groups.size() - 1) * std::max(around[a], fitted.deviations[a]);
-    const double factor = fitted.factors[a];
-    intervals.push_back(
-        {.value = std::sqrt(factor), .low = std::sqrt(std::max(0., factor - half)), .high = std::sqrt(factor + half)});
+    intervals.push_back(root_interval(fitted.factors[a], half));
   }
   return intervals;
 }
