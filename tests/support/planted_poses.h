@@ -10,12 +10,12 @@
 namespace robot::tests {
 
 struct PlantedPoses {
-  sim::Models models;             // its localisation is planted; flips and falls shift the pose if their effects are on
-  double minutes = 20;            // of a robot
-  double truth_error = 0.02;      // [m] of each place, each axis
-  double heading_error = 0.05;    // [rad] of each heading in the truth
-  double late = 0;                // [s] the robot's clock is ahead
-  double falls_per_minute = 0;    // while it walks
+  sim::Models models;           // its localisation is planted; flips and falls shift the pose if their effects are on
+  double minutes = 20;          // of a robot
+  double truth_error = 0.02;    // [m] of each place, each axis
+  double heading_error = 0.05;  // [rad] of each heading in the truth
+  double late = 0;              // [s] the robot's clock is ahead
+  double falls_per_minute = 0;  // while it walks
   double penalties_per_minute = 0;
   bool changes_sides = false;  // at half of the time
   bool attacks_plus = true;    // at first
