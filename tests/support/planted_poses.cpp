@@ -14,7 +14,7 @@ using sim::Body;
 
 /// The parameters of a match, which are read once.
 const sim::Params& planted_match() {
-  static const auto game = sim::io::prepare({});
+  static const auto game = sim::io::prepare({.rules = "spl2025"});
   return game->params;
 }
 

@@ -5,11 +5,13 @@
 #include <functional>
 #include <utility>
 
+#include "proto/foresight/sim.pb.h"
 #include "robot/core/text.h"
 #include "robot/fit/localisation/event_counts.h"
 #include "robot/fit/localisation/pose_pictures.h"
 #include "robot/fit/localisation/variance_parts.h"
 #include "robot/lab/clocks/belief_error.h"
+#include "robot/logging/sessions/read_all.h"
 
 namespace robot::fit {
 namespace {
@@ -240,6 +242,35 @@ void add_pose_notes(const PoseErrors& poses, Report& report) {
   if (poses.damaged > 0) report.notes.push_back(formatted("%zu damaged messages left out", poses.damaged));
 }
 
+/// Returns the field that a simulator recorded, else that of the league.
+sim::field::Field field_of(const Evidence& evidence) {
+  sim::field::Field field = kFieldOfTheLeague;
+  for (const WatchedRobot& robot : evidence.robots) {
+    bool found = false;
+    logging::read_each<foresight::Simulation>(
+        robot.session, "/sim/state", [&](const foresight::Simulation& simulation, std::uint64_t) {
+          const foresight::Field& read = simulation.field();
+          if (found || !(read.length() > 2 && read.width() > 2 && read.length() < 30 && read.width() < 20)) return;
+          found = true;
+          field = {.length = read.length(),
+                   .width = read.width(),
+                   .border = read.border(),
+                   .line_width = read.line_width(),
+                   .centre_circle_radius = read.centre_circle_radius(),
+                   .goal_area_length = read.goal_area_length(),
+                   .goal_area_width = read.goal_area_width(),
+                   .penalty_area_length = read.penalty_area_length(),
+                   .penalty_area_width = read.penalty_area_width(),
+                   .penalty_mark = read.penalty_mark(),
+                   .goal_width = read.goal_width(),
+                   .goal_depth = read.goal_depth(),
+                   .post_radius = field.post_radius};
+        });
+    if (found) break;
+  }
+  return field;
+}
+
 Table table_of_shifts(const std::vector<PoseShift>& shifts, const PoseErrors& poses) {
   Table table{
       .columns = {"time [s]", "x [m]", "y [m]", "heading [rad]", "falls"}, .names = poses.recordings, .rows = {}};
@@ -251,7 +282,15 @@ Table table_of_shifts(const std::vector<PoseShift>& shifts, const PoseErrors& po
 
 }  // namespace
 
-Report localisation_report(const PoseErrors& poses, const sim::Models& base) {
+void add_poses(const WatchedMotion& motion, PoseEvidence& evidence) {
+  const std::size_t before = evidence.poses.errors.size();
+  add_pose_errors(motion, evidence.poses);
+  if (evidence.poses.errors.size() > before)
+    add_mark_walk(motion, evidence.poses.errors.back(), evidence.poses.noises.back(), evidence.marks);
+}
+
+Report localisation_report(const PoseEvidence& evidence, const sim::Models& base, const sim::field::Field& field) {
+  const PoseErrors& poses = evidence.poses;
   Report report{.name = "localisation", .title = kLocalisationTitle};
   if (poses.recordings.empty()) {
     report.kept.emplace_back(
@@ -264,6 +303,7 @@ Report localisation_report(const PoseErrors& poses, const sim::Models& base) {
   add_shifts(kFalls, poses.falls, poses, "falls", "record games: robots fall in them", report);
   add_flip_rate(poses, report);
   add_flip_duration(poses, report);
+  add_marks(evidence.marks, base, field, report);
   add_pose_pictures(poses, base.perception.localisation, report);
   add_error_results(poses, report);
   add_honesty(poses, report);
@@ -274,9 +314,10 @@ Report localisation_report(const PoseErrors& poses, const sim::Models& base) {
 }
 
 Report fit_localisation(const Evidence& evidence, const sim::Models& base) {
-  PoseErrors poses;
-  for (const WatchedRobot& robot : evidence.robots) add_pose_errors(read_motion(robot, {.poses = true}), poses);
-  return localisation_report(poses, base);
+  PoseEvidence poses;
+  for (const WatchedRobot& robot : evidence.robots)
+    add_poses(read_motion(robot, {.odometry = true, .poses = true, .heads = true}), poses);
+  return localisation_report(poses, base, field_of(evidence));
 }
 
 }  // namespace robot::fit

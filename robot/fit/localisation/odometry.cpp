@@ -76,9 +76,7 @@ Figure noise_figure_of(const NoiseFigure& part, const RootInterval& root, std::s
 }
 
 void add_noise_figures(const Drift& drift, const OdometryFit& fit, Report& report) {
-  const std::vector<Group> blocks = drift_blocks_of(drift.windows);
-  const auto place = root_intervals(place_errors(drift.windows, fit.walking), blocks, 2, fit.place);
-  const auto heading = root_intervals(heading_errors(drift.windows, fit.turning), blocks, 3, fit.heading);
+  const std::vector<RootInterval> intervals = noise_intervals(drift, fit);
   const std::size_t events = count_walk_windows(drift.windows);
   const auto add = [&](const NoiseFigure& part, const RootInterval& root, const Domain& domain) {
     if (!std::isfinite(root.high))
@@ -89,9 +87,9 @@ void add_noise_figures(const Drift& drift, const OdometryFit& fit, Report& repor
     report.needs.push_back(need_of(report.figures.back(), part.widest / 2, kWalkAdvice));
   };
   const Domain way = drift_domain_of(drift.windows, "way", "m", &DriftWindow::way);
-  add(kTranslation, place[0], way);
-  add(kRotation, heading[0], drift_domain_of(drift.windows, "turn", "rad", &DriftWindow::turned));
-  add(kRotationPerMetre, heading[1], way);
+  add(kTranslation, intervals[0], way);
+  add(kRotation, intervals[1], drift_domain_of(drift.windows, "turn", "rad", &DriftWindow::turned));
+  add(kRotationPerMetre, intervals[2], way);
 }
 
 void add_bias_figure(const Drift& drift, const OdometryFit& fit, Report& report) {
@@ -381,6 +379,13 @@ Table table_of_windows(const Drift& drift) {
 }
 
 }  // namespace
+
+std::vector<RootInterval> noise_intervals(const Drift& drift, const OdometryFit& fit) {
+  const std::vector<Group> blocks = drift_blocks_of(drift.windows);
+  const auto place = root_intervals(place_errors(drift.windows, fit.walking), blocks, 2, fit.place);
+  const auto heading = root_intervals(heading_errors(drift.windows, fit.turning), blocks, 3, fit.heading);
+  return {place[0], heading[0], heading[1]};
+}
 
 Drift read_drift(const Evidence& evidence, std::vector<std::string>& problems) {
   Drift drift;

@@ -157,7 +157,8 @@ class ErrorReader {
             .deviation_heading = pose.deviation_heading,
             .noise = truth.noise,
             .upright = !truth.fallen && (!status || status->body == StatusAt::Body::upright),
-            .walks = status && status->speed > kWalksFrom};
+            .walks = status && status->speed > kWalksFrom,
+            .sign = sign};
   }
 
   const WatchedMotion& motion_;
@@ -267,16 +268,25 @@ void add_starts(const std::vector<double>& entrances, const std::vector<PoseErro
   }
 }
 
-/// Fills `since` of each error.
+/// Fills `since`, `entered` and `fell` of each error.
 void add_ages(const std::vector<double>& entrances, const std::vector<FallTimes>& falls,
               std::vector<PoseError>& errors) {
-  std::vector<double> events = entrances;
-  for (const FallTimes& fall : falls) events.push_back(fall.begin);
-  std::ranges::sort(events);
+  constexpr double kTiny = 1e-3;  // [s] a robot is upright at the begin of its fall
+  struct Event {
+    double at;
+    bool PoseError::*kind;
+  };
+  std::vector<Event> events;
+  for (const double at : entrances) events.push_back({.at = at, .kind = &PoseError::entered});
+  for (const FallTimes& fall : falls) events.push_back({.at = fall.begin + kTiny, .kind = &PoseError::fell});
+  std::ranges::sort(events, {}, &Event::at);
   std::size_t next = 0;
   double last = errors.empty() ? 0 : errors.front().at;
   for (PoseError& error : errors) {
-    while (next < events.size() && events[next] <= error.at) last = events[next++];
+    for (; next < events.size() && events[next].at <= error.at; ++next) {
+      last = events[next].at;
+      error.*events[next].kind = true;
+    }
     error.since = error.at - last;
   }
 }
@@ -349,6 +359,7 @@ void add_pose_errors(const WatchedMotion& motion, PoseErrors& all) {
   add_starts(entrances, errors, noise, recording, all);
   FallJudge judge(errors, noise, recording, all);
   for (const FallTimes& fall : falls) judge.judge(fall);
+  all.noises.push_back(noise);
   all.errors.push_back(std::move(errors));
 }
 

@@ -20,6 +20,8 @@ struct PoseError {
   double noise = 1;                // share of the truth's variance in the error
   double since = 0;                // [s] since the last fall or entrance; since the begin of the recording before any
   bool upright = true, walks = false, flipped = false;
+  bool entered = false, fell = false;  // since the error before
+  double sign = 1;                     // -1: the team's frame is the field turned by half a circle
 
   double far() const { return std::hypot(x, y); }
   /// Reports whether the robot is unsure of its pose, as a simulated one must be to flip. Without deviations it always may be.
@@ -44,9 +46,15 @@ struct PoseFlip {
   bool seen_end = false;        // false: the robot was taken away before, or the recording ended
 };
 
+/// One standard deviation of the truth, of each coordinate.
+struct TruthNoise {
+  double place = 0, heading = 0;  // [m], [rad]
+};
+
 struct PoseErrors {
   std::vector<std::string> recordings;         // names, by index
   std::vector<std::vector<PoseError>> errors;  // by recording, in the order of the times
+  std::vector<TruthNoise> noises;              // of the truth, by recording
   std::vector<PoseShift> starts, falls;
   std::vector<PoseFlip> flips;
   double unsure_seconds = 0;   // of upright robots that may flip
@@ -62,10 +70,7 @@ struct PoseErrors {
 /// before play. A fall's shift is the error just before the robot stands again minus the error just before it fell.
 void add_pose_errors(const WatchedMotion& motion, PoseErrors& all);
 
-/// Returns one standard deviation of the truth's place [m] and heading [rad] by robots that stand, 0 and 0 if nobody stands.
-struct TruthNoise {
-  double place = 0, heading = 0;
-};
+/// Returns the noise of the truth by a robot that stands, 0 and 0 if it does not.
 TruthNoise truth_noise(const WatchedMotion& motion);
 
 }  // namespace robot::fit

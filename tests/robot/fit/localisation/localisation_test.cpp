@@ -22,6 +22,11 @@ PoseErrors errors_of(const std::vector<WatchedMotion>& motions) {
   return poses;
 }
 
+/// The report of the events alone.
+Report report_of(const std::vector<WatchedMotion>& motions, const sim::Models& models) {
+  return localisation_report({.poses = errors_of(motions), .marks = {}}, models);
+}
+
 /// Walks with many falls, penalties and flips.
 PlantedPoses eventful(double minutes) {
   PlantedPoses planted{.models = tests::match_models()};
@@ -45,7 +50,7 @@ TEST(Localisation, IntervalsCoverThePlantedValuesDespiteTheTruthsErrors) {
                                              {"localisation.flip_duration", model.flip_duration}};
   int covered = 0, figures = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const Report report = localisation_report(errors_of(tests::planted_poses(planted, 5, seed)), planted.models);
+    const Report report = report_of(tests::planted_poses(planted, 5, seed), planted.models);
     for (const Figure& figure : report.figures) {
       ++figures;
       covered += figure.low <= values.at(figure.name) && values.at(figure.name) <= figure.high;
@@ -177,7 +182,7 @@ TEST(Localisation, TheTruthsNoiseIsThatOfRobotsThatStand) {
 }
 
 TEST(Localisation, NoFlipGivesAnUpperBound) {
-  const Report report = localisation_report(errors_of({standing(1200)}), tests::match_models());
+  const Report report = report_of({standing(1200)}, tests::match_models());
   const auto rate = std::ranges::find(report.figures, "localisation.flips_per_minute", &Figure::name);
   ASSERT_NE(rate, report.figures.end());
   EXPECT_EQ(rate->value, 0);
@@ -187,7 +192,7 @@ TEST(Localisation, NoFlipGivesAnUpperBound) {
 }
 
 TEST(Localisation, TooFewEventsAreRefused) {
-  const Report report = localisation_report(errors_of({standing(60)}), tests::match_models());
+  const Report report = report_of({standing(60)}, tests::match_models());
   EXPECT_TRUE(report.empty());
   ASSERT_GE(report.kept.size(), 4u);
   EXPECT_EQ(report.kept[0],
@@ -204,12 +209,81 @@ TEST(Localisation, TooFewEventsAreRefused) {
 
 TEST(Localisation, TheOrderOfRecordingsDoesNotMatter) {
   auto walks = tests::planted_poses(eventful(5), 3, 2);
-  const Report one = localisation_report(errors_of(walks), tests::match_models());
+  const Report one = report_of(walks, tests::match_models());
   std::ranges::reverse(walks);
-  const Report two = localisation_report(errors_of(walks), tests::match_models());
+  const Report two = report_of(walks, tests::match_models());
   ASSERT_EQ(one.figures.size(), two.figures.size());
   for (std::size_t i = 0; i < one.figures.size(); ++i)
     EXPECT_NEAR(one.figures[i].value, two.figures[i].value, 1e-6) << one.figures[i].name;
+}
+
+TEST(Localisation, MarksAreFoundByTheSimulatorsOwnLocalisation) {
+  PlantedPoses planted = eventful(4);
+  auto& model = planted.models.perception.localisation;
+  model.mark_deviation = 0.12f, model.mark_deviation_heading = 0.07f;
+  PoseEvidence evidence;
+  for (const WatchedMotion& walk : tests::planted_poses(planted, 4, 3)) add_poses(walk, evidence);
+  const Report report = localisation_report(evidence, tests::match_models());
+  const auto place = std::ranges::find(report.figures, "localisation.mark_deviation", &Figure::name);
+  const auto heading = std::ranges::find(report.figures, "localisation.mark_deviation_heading", &Figure::name);
+  ASSERT_NE(place, report.figures.end());
+  ASSERT_NE(heading, report.figures.end());
+  EXPECT_TRUE(place->low <= 0.12 && place->high >= 0.12) << to_text(*place);
+  EXPECT_TRUE(heading->low <= 0.07 && heading->high >= 0.07) << to_text(*heading);
+  EXPECT_EQ(report.pictures.size(), 5u);
+}
+
+TEST(Localisation, SimulatedErrorsGrowWithThoseOfTheMarks) {
+  PlantedPoses planted{.models = tests::match_models()};
+  planted.minutes = 3;
+  PoseEvidence evidence;
+  add_poses(tests::planted_pose_walk(planted, 5), evidence);
+  const auto errors_with = [&](float deviation, std::uint64_t seed) {
+    sim::Models models = tests::match_models();
+    models.perception.localisation.mark_deviation = deviation;
+    return simulated_errors(evidence.marks.walks, models, kFieldOfTheLeague, seed);
+  };
+  EXPECT_LT(errors_with(0.03f, 1).place, errors_with(0.1f, 1).place);
+  EXPECT_LT(errors_with(0.1f, 1).place, errors_with(0.3f, 1).place);
+  EXPECT_EQ(errors_with(0.1f, 1).place, errors_with(0.1f, 1).place) << "the same seed gives the same luck";
+  EXPECT_NE(errors_with(0.1f, 1).place, errors_with(0.1f, 2).place);
+  EXPECT_EQ(errors_with(0.1f, 1).moments, recorded_errors(evidence.marks.walks).moments);
+}
+
+TEST(Localisation, MarksNeedOdometryAndTenMinutes) {
+  const auto kept_of = [](PlantedPoses planted, bool with_odometry) {
+    planted.models = tests::match_models();
+    WatchedMotion motion = tests::planted_pose_walk(planted, 1);
+    if (!with_odometry) motion.odometry.clear();
+    PoseEvidence evidence;
+    add_poses(motion, evidence);
+    const Report report = localisation_report(evidence, planted.models);
+    const auto about_marks = [](const std::string& sentence) {
+      return sentence.find("mark_deviation") != sentence.npos;
+    };
+    const auto sentence = std::ranges::find_if(report.kept, about_marks);
+    return sentence == report.kept.end() ? std::string() : *sentence;
+  };
+  EXPECT_EQ(kept_of({.models = {}, .minutes = 3}, false),
+            "localisation.mark_deviation and its heading: expected at least 40 windows of odometry beside the poses "
+            "and motion_status, got 0");
+  EXPECT_EQ(kept_of({.models = {}, .minutes = 5}, true),
+            "localisation.mark_deviation and its heading: expected at least 20 half minutes of upright robots with "
+            "poses and motion_status, got 10");
+}
+
+TEST(Localisation, RobotsThatKnowTheirPoseExactlyKeepTheMarks) {
+  PlantedPoses planted{.models = tests::match_models()};
+  planted.minutes = 6, planted.truth_error = 0, planted.heading_error = 0;
+  planted.models.effects.odometry_drift = false;
+  PoseEvidence evidence;
+  for (const WatchedMotion& walk : tests::planted_poses(planted, 2, 3)) add_poses(walk, evidence);
+  const Report report = localisation_report(evidence, tests::match_models());
+  EXPECT_TRUE(std::ranges::none_of(report.figures,
+                                   [](const Figure& figure) { return figure.name.find("mark") != std::string::npos; }));
+  EXPECT_TRUE(std::ranges::any_of(report.kept, [](const std::string& sentence) {
+    return sentence.starts_with("localisation.mark_deviation: expected errors");
+  }));
 }
 
 TEST(Localisation, ASimulatedGameIsEvidence) {
