@@ -47,6 +47,7 @@ void fill(const SimulatedGame& game, sim::Side side, foresight::SimulatedTeam& m
 foresight::Simulation describe(const SimulatedGame& game) {
   foresight::Simulation simulation;
   simulation.set_rules(game.names().rules);
+  simulation.set_thinned(game.params().pace == sim::Pace::thinned);
   fill(game, sim::Side::home, *simulation.mutable_home());
   fill(game, sim::Side::away, *simulation.mutable_away());
   to_proto(game.params().rules.field, *simulation.mutable_field());

@@ -6,11 +6,15 @@
 #include <string_view>
 #include <utility>
 
+#include "proto/foresight/sim.pb.h"
 #include "robot/core/text.h"
 #include "robot/lab/clocks/session_times.h"
+#include "robot/logging/sessions/session_provider.h"
 
 namespace robot::fit {
 namespace {
+
+constexpr const char* kSimulationTopic = "/sim/state";
 
 /// A recording of ground truth with its session, for the comparison of clocks.
 struct TruthSession {
@@ -66,9 +70,26 @@ void take(const std::string& name, const logging::Session& session, Result<Watch
   evidence.untracked.push_back({.name = name, .session = session});
 }
 
+/// Reports whether a recording is a simulated game whose robots moved in longer pieces (Simulation::thinned).
+bool is_thinned(const logging::Session& session) {
+  const auto file = std::ranges::find(session.streams, kSimulationTopic, &logging::StreamFile::topic);
+  if (file == session.streams.end()) return false;
+  const auto stream = logging::provider_of(session, *file);
+  if (!stream->open()) return false;
+  const auto record = stream->read();
+  foresight::Simulation simulation;
+  return record && *record && simulation.ParseFromString((*record)->bytes) && simulation.thinned();
+}
+
 /// Places each robot of a recording in the truth of this recording.
 void place_in_own_truth(const logging::Session& session, const std::shared_ptr<const TrueGame>& game,
                         Evidence& evidence) {
+  if (is_thinned(session)) {
+    evidence.left_out.push_back(game->name +
+                                ": expected a game recorded with foresight-sim match --every-tick, got one whose "
+                                "robots move in longer pieces; its truth counts alone");
+    return;
+  }
   const std::vector<std::string> robots = robots_in(session);
   for (const std::string& one : robots) {
     logging::Session of_one = session;

@@ -50,7 +50,7 @@ struct Evidence {
 
 /// Reads recordings of robots and of ground truth, and finds for each robot the truth of its game. That is the truth in its own
 /// recording, else one whose times overlap and whose clock can be compared. A recording with its own truth may hold several
-/// robots: a simulated game. A robot without one is `untracked`, and `left_out` has the reason. Returns an
+/// robots: a simulated game. The robots of one that was recorded without --every-tick are left out. A robot without one is `untracked`, and `left_out` has the reason. Returns an
 /// Error if a recording cannot be read, or if `truths` names one without /truth/world. Clocks may differ by at most `most_ns`.
 Result<Evidence> gather(const std::vector<std::filesystem::path>& robots,
                         const std::vector<std::filesystem::path>& truths, std::uint64_t most_ns);

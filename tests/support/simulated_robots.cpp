@@ -64,7 +64,7 @@ void record(const std::filesystem::path& folder, const SimulatedPlan& plan) {
                                                    .strategies = {plan.strategy, plan.strategy},
                                                    .models = {plan.models, plan.models},
                                                    .players = plan.players,
-                                                   .pace = sim::Pace::every_tick}));
+                                                   .pace = plan.pace}));
   sim::referee::Events events;
   bridge::SimulatedGame game(prepared.params, {.rules = plan.rules},
                              sim::begin(prepared.params, {.seed = plan.seed}, events));
@@ -74,6 +74,7 @@ void record(const std::filesystem::path& folder, const SimulatedPlan& plan) {
   const sim::Tick end = sim::ticks(static_cast<float>(plan.seconds));
   const auto write = [&] {
     narrator.write(game, {.epoch_ns = kEpochNs});
+    narrator.write_status(game, {}, {.epoch_ns = kEpochNs});
     scribe.write();
   };
   write();
@@ -124,6 +125,7 @@ fit::Evidence simulated_robots(const std::filesystem::path& folder, const Simula
 void append(fit::Evidence& evidence, fit::Evidence other) {
   for (auto& game : other.games) evidence.games.push_back(std::move(game));
   for (auto& robot : other.robots) evidence.robots.push_back(std::move(robot));
+  for (auto& robot : other.untracked) evidence.untracked.push_back(std::move(robot));
   for (auto& sentence : other.left_out) evidence.left_out.push_back(std::move(sentence));
 }
 

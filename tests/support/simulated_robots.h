@@ -6,6 +6,7 @@
 #include <string>
 
 #include "robot/fit/evidence.h"
+#include "sim/match/params.h"
 
 namespace robot::tests {
 
@@ -16,13 +17,14 @@ struct SimulatedPlan {
   std::string models = "match";       // of all robots, with changes: "match,walk.forward=0.3" (sim/io/models.h)
   double seconds = 300;               // of game, with dead time
   std::uint64_t seed = 1;
+  sim::Pace pace = sim::Pace::every_tick;
   // the truth's errors, one standard deviation each
   double place_error = 0;    // [m] of each place and each axis
   double heading_error = 0;  // [rad] of each heading
   double clock_error = 0;    // [s] of its clock in the whole game
 };
 
-/// Plays the game with 30 decisions a second of all robots, records it to the new folder `folder`, and gathers the recording. The
+/// Plays the game, records it to the new folder `folder`, and gathers the recording. The
 /// times of the truth are shifted by a random offset that the evidence does not know; it knows the deviation of it.
 fit::Evidence simulated_robots(const std::filesystem::path& folder, const SimulatedPlan& plan);
 

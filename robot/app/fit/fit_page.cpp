@@ -15,12 +15,13 @@ using sim::report::escaped, sim::report::Plot;
 
 const std::string kStyle = std::string(kMarkStyle) + R"(
 h2 { font-size: 19px; margin: 30px 0 8px; } p { max-width: 75ch; }
-.plots { display: grid; gap: 14px; grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); }
+.plots { display: grid; gap: 14px; grid-template-columns: repeat(auto-fill, minmax(min(100%, 440px), 1fr)); }
+.tables { display: grid; gap: 0 14px; grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); align-items: start; }
 figure { margin: 0; } figcaption { font-size: 13.5px; color: var(--soft); margin: 4px 0; } figcaption b { color: var(--ink); }
 svg { display: block; width: 100%; height: auto; }
 .grid { stroke: var(--line); } .tick, .axis, .label { fill: var(--soft); font-size: 12px; }
 .tick.y { text-anchor: end; } .tick.x, .axis { text-anchor: middle; }
-.wide { overflow-x: auto; margin-top: 14px; } td, th { text-align: right; padding: 4px 0 4px 16px; white-space: nowrap; }
+.wide { overflow-x: auto; margin-top: 14px; } .whole { grid-column: 1 / -1; } td, th { text-align: right; padding: 4px 0 4px 16px; white-space: nowrap; }
 td:first-child, th:first-child { text-align: left; padding-left: 0; }
 ul { padding-left: 20px; margin: 6px 0; } tr.loose td { color: var(--soft); }
 nav { display: flex; flex-wrap: wrap; gap: 4px 16px; margin: 8px 0 0; } a { color: var(--blue); }
@@ -29,7 +30,7 @@ nav { display: flex; flex-wrap: wrap; gap: 4px 16px; margin: 8px 0 0; } a { colo
 using Points = std::vector<std::pair<double, double>>;
 
 std::string figure_of(const std::string& svg, const std::string& caption) {
-  return "<figure class=\"card\">" + svg + "<figcaption>" + caption + "</figcaption></figure>\n";
+  return "<figure class=\"card\"><figcaption>" + caption + "</figcaption>" + svg + "</figure>\n";
 }
 
 constexpr const char* kDistanceKeys =
@@ -55,8 +56,8 @@ std::string curve_plot(const fit::BallDistance& fit) {
   }
   Plot plot(0, 1.02 * fit.most_radius, 0, 1.1 * top);
   plot.band("fitted", radii, low, high);
-  plot.dots("robot", believed);
-  plot.dots("truth", truth);
+  plot.dots("robot", thinned(believed));
+  plot.dots("truth", thinned(truth));
   plot.line("other", power);
   plot.line("fitted", fitted);
   return figure_of(
@@ -75,8 +76,8 @@ std::string truth_plot(const fit::BallDistance& fit) {
   }
   Plot plot(0, 1.05 * most, 0, 1.1 * most);
   plot.line("even", {{0, 0}, {1.05 * most, 1.05 * most}});
-  plot.dots("robot", believed);
-  plot.dots("truth", fitted);
+  plot.dots("robot", thinned(believed));
+  plot.dots("truth", thinned(fitted));
   return figure_of(plot.svg("estimated over true distance", "true distance [m]"),
                    "Estimated distance [m] over the truth; on the line nothing is wrong."
                    "<span class=\"key robot\"></span>the robot's vision<span class=\"key truth\"></span>fitted curve");
@@ -135,7 +136,7 @@ std::string part_of(const fit::Rolling& fit) {
   for (const fit::Roll& roll : fit.rolls) rolls.emplace_back(roll.speed, roll.deceleration);
   Plot plot(0, 1.05 * figure.domain.to, 0, 3 * figure.value);
   plot.band("fitted", {0, 1.05 * figure.domain.to}, {figure.low, figure.low}, {figure.high, figure.high});
-  plot.dots("truth", rolls);
+  plot.dots("truth", thinned(rolls));
   plot.line("fitted", {{0, figure.value}, {1.05 * figure.domain.to, figure.value}});
   std::vector<double> decelerations;
   for (const fit::Roll& roll : fit.rolls) decelerations.push_back(roll.deceleration);
@@ -162,7 +163,7 @@ std::string landing_plot(const fit::KickFit& kick) {
   }
   Plot plot(std::min(0., -0.2 * farthest), 1.05 * farthest, -1.1 * widest, 1.1 * widest);
   plot.line("even", {{0, 0}, {1.05 * farthest, 1.05 * farthest * std::tan(kick.model.direction)}});
-  plot.dots("truth", landed);
+  plot.dots("truth", thinned(landed));
   return figure_of(plot.svg("landing points of the kick " + escaped(kick.kind), "ahead of the foot [m]"),
                    "Where " + escaped(kick.kind) + " lands [m], to the left upwards; right foot mirrored.");
 }

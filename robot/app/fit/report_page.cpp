@@ -35,7 +35,7 @@ const char* key_of(fit::Mark::Shape shape) {
 std::vector<std::pair<double, double>> points_of(const fit::Mark& mark) {
   std::vector<std::pair<double, double>> points;
   for (std::size_t i = 0; i < mark.x.size(); ++i) points.emplace_back(mark.x[i], mark.y[i]);
-  return points;
+  return mark.shape == fit::Mark::Shape::dots ? thinned(std::move(points)) : points;
 }
 
 void draw_mark(Plot& plot, const fit::Mark& mark) {
@@ -57,11 +57,19 @@ std::string picture_part(const fit::Picture& picture) {
   for (const fit::Mark& mark : picture.marks) {
     draw_mark(plot, mark);
     if (mark.label.empty()) continue;
-    keys += formatted("<span class=\"key %s %s\"></span>", key_of(mark.shape), style_of(mark.role));
-    keys += escaped(mark.label);
+    keys += formatted("<span class=\"item\"><span class=\"key %s %s\"></span>%s</span> ", key_of(mark.shape),
+                      style_of(mark.role), escaped(mark.label).c_str());
   }
   return "<figure class=\"card\"><figcaption><b>" + escaped(picture.title) + "</b><br>" + escaped(picture.y_label) +
          keys + "</figcaption>" + plot.svg(escaped(picture.title), escaped(picture.x_label)) + "</figure>\n";
+}
+
+/// Returns the words as a sentence of the page. A name such as "noise.pixels" at its begin stays as it is.
+std::string sentence(const std::string& words) {
+  std::string text = escaped(words);
+  if (text.substr(0, text.find(' ')).find('.') != std::string::npos) return text;
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
 }
 
 std::string row_of(const char* cell, const std::vector<std::string>& words) {
@@ -71,21 +79,31 @@ std::string row_of(const char* cell, const std::vector<std::string>& words) {
 }
 
 std::string results_part(const fit::Results& results) {
-  std::string part =
-      "<div class=\"card wide\"><b>" + escaped(results.title) + "</b><table>\n" + row_of("th", results.head);
+  const char* const span = results.head.size() > 7 ? " whole" : "";
+  std::string part = formatted("<div class=\"card wide%s\"><b>", span) + sentence(results.title) + "</b><table>\n" +
+                     row_of("th", results.head);
   for (const auto& row : results.rows) part += row_of("td", row);
   return part + "</table></div>\n";
 }
 
 }  // namespace
 
+std::vector<std::pair<double, double>> thinned(std::vector<std::pair<double, double>> dots) {
+  constexpr std::size_t kMost = 2000;
+  if (dots.size() <= kMost) return dots;
+  std::vector<std::pair<double, double>> some;
+  for (std::size_t i = 0; i < kMost; ++i) some.push_back(dots[i * dots.size() / kMost]);
+  return some;
+}
+
 std::string part_of(const fit::Report& report) {
   std::string part = "<h2 id=\"" + report.name + "\">" + escaped(report.title) + "</h2>\n<div class=\"plots\">\n";
   for (const fit::Picture& picture : report.pictures) part += picture_part(picture);
   part += "</div>\n";
-  for (const std::string& note : report.notes) part += "<p class=\"soft\">" + escaped(note) + "</p>\n";
+  for (const std::string& note : report.notes) part += "<p class=\"soft\">" + sentence(note) + "</p>\n";
+  part += "<div class=\"tables\">\n";
   for (const fit::Results& results : report.results) part += results_part(results);
-  return part;
+  return part + "</div>\n";
 }
 
 }  // namespace robot::app

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "robot/fit/report.h"
 
@@ -18,8 +20,11 @@ polyline.other { stroke-width: 1.5; stroke-dasharray: 5 4; } polygon { opacity: 
 .even { color: var(--other); } polyline.even { stroke-width: 1; } circle.end { display: none; }
 .key { display: inline-block; width: 11px; height: 11px; border-radius: 6px; margin: 0 5px 0 12px; background: currentColor; }
 .key.line { height: 2px; width: 20px; vertical-align: middle; border-radius: 0; opacity: 1; }
-.key.bars { border-radius: 2px; } .key.band { opacity: .3; border-radius: 2px; }
+.item { white-space: nowrap; } .key.bars { border-radius: 2px; } .key.band { opacity: .3; border-radius: 2px; }
 )";
+
+/// Returns at most 2000 of the dots, evenly chosen: more are neither seen nor quickly drawn.
+std::vector<std::pair<double, double>> thinned(std::vector<std::pair<double, double>> dots);
 
 /// Returns the part as HTML: title, pictures, notes, results.
 std::string part_of(const fit::Report& report);

@@ -10,6 +10,7 @@
 #include "robot/fit/radio/packet_ages.h"
 #include "robot/fit/radio/packet_contents.h"
 #include "robot/fit/radio/packets.h"
+#include "robot/fit/radio/radio_evidence.h"
 #include "robot/fit/radio/radio_model.h"
 #include "sim/statistics/sample.h"
 
@@ -22,40 +23,10 @@ constexpr double kWidestMeanDelay = 0.03, kWidestLoss = 0.05;  // [s], 1
 constexpr double kWantedDelay = 0.01, kWantedLoss = 0.02;      // [s], 1
 constexpr std::size_t kIntervalBlock = 50, kIntervalSamples = 200, kPacketFolds = 5;
 
-/// Everything that was read.
-struct RadioEvidence {
-  std::vector<TeamRecord> records;
-  Packets packets;
-  Gaps gaps;
-  double step = 0;            // [s] of delays; 0: any
-  std::vector<Fate> counted;  // those of packets that none overtakes, mostly
-  double overtaken = 0;       // share of packets that the next one may overtake
-};
-
 std::vector<std::string> radio_recordings(const RadioEvidence& radio) {
   std::vector<std::string> names;
   for (const TeamRecord& record : radio.records) names.push_back(record.name);
   return names;
-}
-
-std::vector<std::vector<double>> by_packet(const std::vector<Delay>& delays) {
-  std::map<std::size_t, std::vector<double>> groups;
-  for (const Delay& delay : delays) groups[delay.packet].push_back(delay.seconds);
-  std::vector<std::vector<double>> grouped;
-  for (auto& [packet, values] : groups) grouped.push_back(std::move(values));
-  return grouped;
-}
-
-std::vector<Shared> by_packet(const std::vector<Fate>& fates) {
-  std::map<std::size_t, Shared> groups;
-  for (const Fate& fate : fates) {
-    Shared& group = groups[fate.packet];
-    group.sum += fate.heard ? 0 : 1;
-    ++group.count;
-  }
-  std::vector<Shared> grouped;
-  for (const auto& [packet, group] : groups) grouped.push_back(group);
-  return grouped;
 }
 
 /// Returns one standard deviation of the mean delay by the errors of the clocks. A robot's error is in the delays that it
@@ -177,9 +148,9 @@ void fit_delays(const RadioEvidence& radio, Report& report) {
       need_of(report.figures.back(), kWantedDelay, "record longer, or compare the clocks of the robots more exactly"));
 }
 
-void add_loss(const Bounded& loss, std::size_t events, const std::string& kind, std::vector<double> intervals,
-              const RadioEvidence& radio, Report& report) {
-  report.figures.push_back({.name = "radio.loss",
+void add_loss(const std::string& name, const Bounded& loss, std::size_t events, const std::string& kind,
+              std::vector<double> intervals, const RadioEvidence& radio, Report& report) {
+  report.figures.push_back({.name = name,
                             .unit = "",
                             .value = loss.value,
                             .low = loss.low,
@@ -197,8 +168,10 @@ void fit_gaps(const RadioEvidence& radio, Report& report) {
   if (gaps.streams > 0) {
     std::vector<Shared> groups(gaps.expected, Shared{.sum = 0, .count = 1});
     for (std::size_t i = 0; i < gaps.missing; ++i) groups[i].sum = 1;
-    report.notes.push_back("radio.loss is by gaps in regular packets: the recordings of their senders are missing");
-    return add_loss(fit_share(groups), gaps.expected, "regular packets", flattened(gaps.single), radio, report);
+    report.notes.push_back("radio.loss_in_gaps is the loss at one listener, by gaps in regular packets");
+    report.kept.push_back("radio.loss: expected the recordings of the senders, got gaps at one listener alone");
+    return add_loss("radio.loss_in_gaps", fit_share(groups), gaps.expected, "regular packets", flattened(gaps.single),
+                    radio, report);
   }
   const std::size_t packets = by_packet(radio.counted).size();
   if (gaps.irregular > 0)
@@ -223,7 +196,7 @@ void fit_losses(const RadioEvidence& radio, Report& report) {
   loss.low = std::max(0., loss.low - radio.overtaken * (1 - loss.low));
   std::vector<double> intervals;
   for (const Fate& fate : radio.counted) intervals.push_back(fate.next);
-  add_loss(loss, groups.size(), "packets", std::move(intervals), radio, report);
+  add_loss("radio.loss", loss, groups.size(), "packets", std::move(intervals), radio, report);
 }
 
 /// Chooses the packets that count for the loss, for a mean delay [s].
@@ -237,200 +210,6 @@ void choose_fates(double delay, RadioEvidence& radio) {
   }
   if (!radio.counted.empty()) radio.overtaken = overtaken / static_cast<double>(radio.counted.size());
 }
-
-// --- pictures ---
-
-/// Returns the chance of a delay from `from` to `to` [s].
-double chance_between(double mean, double from, double to) {
-  const auto later = [mean](double delay) {
-    return delay > kLongestDelayInMeans * mean ? 0 : std::exp(-std::max(0., delay) / mean);
-  };
-  return later(from) - later(to);
-}
-
-Mark chances(const char* label, Mark::Role role, double mean, double width, double from, std::size_t bins) {
-  Mark mark{.shape = Mark::Shape::line, .role = role, .label = label, .x = {}, .y = {}, .high = {}};
-  for (std::size_t i = 0; i < bins; ++i) {
-    const double left = from + width * static_cast<double>(i);
-    if (left + width <= 0) continue;
-    mark.x.push_back(left + width / 2);
-    mark.y.push_back(100 * chance_between(mean, left, left + width));
-  }
-  return mark;
-}
-
-void draw_delays(const RadioEvidence& radio, double fitted, double before, Report& report) {
-  const double width = radio.step > 0 ? radio.step : fitted / 4;
-  constexpr std::size_t kBins = 26;
-  const double from = radio.step > 0 ? -width / 2 : -4 * width;
-  Mark bars{.shape = Mark::Shape::bars,
-            .role = Mark::Role::truth,
-            .label = "packets",
-            .x = {},
-            .y = {},
-            .high = {},
-            .width = width};
-  for (std::size_t i = 0; i < kBins; ++i) bars.x.push_back(from + width * static_cast<double>(i));
-  bars.y.resize(kBins);
-  const double one = 100 / static_cast<double>(radio.packets.delays.size());
-  for (const Delay& delay : radio.packets.delays)
-    if (const double bin = std::floor((delay.seconds - from) / width); bin >= 0 && bin < kBins)
-      bars.y[static_cast<std::size_t>(bin)] += one;
-  double top = *std::ranges::max_element(bars.y);
-  const Mark curve = chances("fitted", Mark::Role::fitted, fitted, width, from, kBins);
-  const Mark other = chances("the models before", Mark::Role::other, before, width, from, kBins);
-  for (const Mark* mark : {&curve, &other}) top = std::max(top, *std::ranges::max_element(mark->y));
-  report.pictures.push_back({.title = "Delays of packets",
-                             .x_label = "delay [s]",
-                             .y_label = "packets [%]",
-                             .axes = {.left = from, .right = from + width * kBins, .bottom = 0, .top = 1.1 * top},
-                             .marks = {std::move(bars), other, curve}});
-}
-
-Mark age_line(const char* label, Mark::Role role, const AgeCurve& curve) {
-  Mark mark{.shape = Mark::Shape::line, .role = role, .label = label, .x = curve.ages, .y = curve.shares, .high = {}};
-  for (double& share : mark.y) share *= 100;
-  return mark;
-}
-
-/// Returns the age that few packets reach [s]: the right edge of the picture.
-double oldest_drawn(const AgeCurve& curve) {
-  for (std::size_t i = 0; i < curve.ages.size(); ++i)
-    if (curve.shares[i] < 0.01) return std::max(0.5, 1.2 * curve.ages[i]);
-  return curve.ages.back();
-}
-
-const Figure* radio_figure(const Report& report, const std::string& name) {
-  const auto found = std::ranges::find(report.figures, name, &Figure::name);
-  return found == report.figures.end() ? nullptr : &*found;
-}
-
-void draw_ages(const RadioEvidence& radio, const sim::perception::Radio& before, Report& report) {
-  const AgeCurve seen = observed_ages(radio.records);
-  if (seen.ages.empty()) return;
-  Picture picture{.title = "Age of a mate's newest packet",
-                  .x_label = "age [s]",
-                  .y_label = "time with an older one [%]",
-                  .axes = {.left = 0, .right = oldest_drawn(seen), .bottom = 0, .top = 100},
-                  .marks = {age_line("robots", Mark::Role::truth, seen)}};
-  const Figure *delay = radio_figure(report, "radio.delay"), *loss = radio_figure(report, "radio.loss");
-  if (const AgeCurve curve = expected_ages(radio.records, before.delay, before.loss); !curve.ages.empty())
-    picture.marks.push_back(age_line("the models before", Mark::Role::other, curve));
-  if (delay && loss)
-    if (const AgeCurve curve = expected_ages(radio.records, delay->value, loss->value); !curve.ages.empty())
-      picture.marks.push_back(age_line("fitted", Mark::Role::fitted, curve));
-  report.pictures.push_back(std::move(picture));
-}
-
-// --- scores on packets held out ---
-
-/// Splits packets by their receivers' games if there are several, else into fifths of the time.
-class PacketParts {
- public:
-  explicit PacketParts(const RadioEvidence& radio) : radio_(radio) {
-    for (const TeamRecord& record : radio.records)
-      if (std::ranges::find(games_, record.game.get()) == games_.end()) games_.push_back(record.game.get());
-    for (const Delay& delay : radio.packets.delays)
-      begin_ = std::min(begin_, delay.at), end_ = std::max(end_, delay.at);
-  }
-
-  std::size_t count() const { return games_.size() > 1 ? games_.size() : kPacketFolds; }
-  std::string text() const {
-    return games_.size() > 1 ? formatted("each of %zu games", games_.size()) : std::string("each fifth of the time");
-  }
-
-  std::size_t of(std::size_t receiver, double at) const {
-    if (games_.size() > 1)
-      return static_cast<std::size_t>(std::ranges::find(games_, radio_.records[receiver].game.get()) - games_.begin());
-    const double share = (at - begin_) / std::max(1e-9, end_ - begin_);
-    return static_cast<std::size_t>(std::clamp(share, 0., 0.999) * kPacketFolds);
-  }
-
- private:
-  const RadioEvidence& radio_;
-  std::vector<const TrueGame*> games_;
-  double begin_ = INFINITY, end_ = -INFINITY;
-};
-
-/// Scores of delays [s]: of the fitted distribution, of the models before and of a constant.
-struct DelayScores {
-  double fitted = 0, before = 0, constant = 0;
-  std::size_t packets = 0;
-};
-
-DelayScores score_delays(const RadioEvidence& radio, const PacketParts& parts, double before) {
-  DelayScores scores;
-  for (std::size_t part = 0; part < parts.count(); ++part) {
-    std::vector<Delay> others;
-    for (const Delay& delay : radio.packets.delays)
-      if (parts.of(delay.receiver, delay.at) != part) others.push_back(delay);
-    const std::vector<std::vector<double>> grouped = by_packet(others);
-    if (grouped.size() < kFewestDelays / 2) continue;
-    const double mean = fit_delay(grouped, radio.step, 0).value, middle = lab::median_of(flattened(grouped));
-    for (const Delay& delay : radio.packets.delays) {
-      if (parts.of(delay.receiver, delay.at) != part) continue;
-      scores.fitted += delay_score(mean, delay.seconds);
-      scores.before += delay_score(before, delay.seconds);
-      scores.constant += std::abs(delay.seconds - middle);
-      ++scores.packets;
-    }
-  }
-  return scores;
-}
-
-/// Log loss of fates: by the fitted loss and by the models before.
-struct LossScores {
-  double fitted = 0, before = 0;
-  std::size_t packets = 0;
-};
-
-LossScores score_losses(const RadioEvidence& radio, const PacketParts& parts, double before) {
-  const auto log_loss = [](double loss, bool heard) {
-    const double chance = std::clamp(loss, 1e-3, 1 - 1e-3);
-    return -std::log(heard ? 1 - chance : chance);
-  };
-  std::vector<double> lost(parts.count()), all(parts.count());
-  double total_lost = 0, total = 0;
-  for (const Fate& fate : radio.counted) {
-    const std::size_t part = parts.of(fate.receiver, fate.at);
-    lost[part] += fate.heard ? 0 : 1, all[part] += 1;
-    total_lost += fate.heard ? 0 : 1, total += 1;
-  }
-  LossScores scores;
-  for (const Fate& fate : radio.counted) {
-    const std::size_t part = parts.of(fate.receiver, fate.at);
-    if (total - all[part] < 1) continue;
-    scores.fitted += log_loss((total_lost - lost[part]) / (total - all[part]), fate.heard);
-    scores.before += log_loss(before, fate.heard);
-    ++scores.packets;
-  }
-  return scores;
-}
-
-void judge_radio(const RadioEvidence& radio, const sim::perception::Radio& before, Report& report) {
-  const PacketParts parts(radio);
-  Results results{.title = "errors on packets held out: " + parts.text(),
-                  .head = {"of", "packets", "fitted", "the models before", "a constant"},
-                  .rows = {}};
-  if (radio_figure(report, "radio.delay"))
-    if (const DelayScores scores = score_delays(radio, parts, before.delay); scores.packets > 0) {
-      const auto n = static_cast<double>(scores.packets);
-      const auto milliseconds = [n](double sum) { return formatted("%.1f", 1000 * sum / n); };
-      results.rows.push_back({"delay: CRPS [ms]", std::to_string(scores.packets), milliseconds(scores.fitted),
-                              milliseconds(scores.before), milliseconds(scores.constant)});
-      report.scores.emplace_back("delay_crps_s", scores.fitted / n);
-    }
-  if (radio_figure(report, "radio.loss"))
-    if (const LossScores scores = score_losses(radio, parts, before.loss); scores.packets > 0) {
-      const auto n = static_cast<double>(scores.packets);
-      results.rows.push_back({"loss: log loss", std::to_string(scores.packets), formatted("%.4f", scores.fitted / n),
-                              formatted("%.4f", scores.before / n), "-"});
-      report.scores.emplace_back("loss_log_loss", scores.fitted / n);
-    }
-  if (!results.rows.empty()) report.results.push_back(std::move(results));
-}
-
-// --- notes and tables ---
 
 void note_radio(const RadioEvidence& radio, Report& report) {
   const auto add = [&report](std::size_t count, const char* what) {

@@ -48,5 +48,17 @@ TEST(Evidence, TheVisionOfASimulatedRobotShowsTheBallWhereItIs) {
   EXPECT_GT(seen, 1000u);
 }
 
+TEST(Evidence, RobotsThatMoveInLongerPiecesAreLeftOut) {
+  const ::tests::TemporaryFolder folder;
+  const Evidence evidence =
+      tests::simulated_robots(folder.path() / "game", {.seconds = 10, .pace = sim::Pace::thinned});
+  EXPECT_EQ(evidence.games.size(), 1u);
+  EXPECT_TRUE(evidence.robots.empty());
+  ASSERT_EQ(evidence.left_out.size(), 1u);
+  EXPECT_EQ(evidence.left_out[0],
+            "game: expected a game recorded with foresight-sim match --every-tick, got one whose robots move in longer "
+            "pieces; its truth counts alone");
+}
+
 }  // namespace
 }  // namespace robot::fit

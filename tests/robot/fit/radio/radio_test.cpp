@@ -151,9 +151,9 @@ TEST(Radio, WithoutSendersRegularGapsGiveTheLoss) {
   auto records = planted_packets({.interval = 0.5, .jitter = 0.02, .minutes = 20}, 1);
   for (TeamRecord& record : records) record.sent.clear(), record.game = nullptr;
   const Report report = fit_packets(records, kBefore);
-  ASSERT_TRUE(figure(report, "radio.loss"));
-  EXPECT_NEAR(figure(report, "radio.loss")->value, 0.25, 0.02);
-  EXPECT_EQ(figure(report, "radio.loss")->kind, "regular packets");
+  ASSERT_TRUE(figure(report, "radio.loss_in_gaps"));
+  EXPECT_NEAR(figure(report, "radio.loss_in_gaps")->value, 0.25, 0.02);
+  EXPECT_EQ(figure(report, "radio.loss_in_gaps")->kind, "regular packets");
 }
 
 TEST(Radio, WithoutSendersIrregularGapsAreRefused) {
