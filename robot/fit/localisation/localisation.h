@@ -10,10 +10,11 @@
 
 namespace robot::fit {
 
-/// Fits the events that spoil the pose: localisation.start_deviation and fall_deviation with their headings, by eight entrances and
-/// eight falls or more; flips_per_minute by the minutes in which a robot was unsure, at least ten; flip_duration by three flips
-/// that ended. Fits mark_deviation and mark_deviation_heading by the simulator's own localisation on the same walks, of ten minutes
-/// or more. The field is that of /sim/state, else that of the league. The intervals cover the luck of events and of half minutes. Errors of the pose are results.
+/// Fits figures of sim/perception/model.h to `pose` beside the truth. Eight entrances or more show start_deviation and that of the
+/// heading, eight falls fall_deviation. Ten minutes of unsure robots show flips_per_minute, three flips that ended flip_duration.
+/// With mark_deviation and that of the heading, the simulator's own localisation makes the recorded errors on the same walks. The
+/// intervals cover the luck of events and of half minutes. The field is that of /sim/state, else that of the league. Errors of
+/// the pose are results.
 Report fit_localisation(const Evidence& evidence, const sim::Models& base);
 
 /// The poses of several robots.

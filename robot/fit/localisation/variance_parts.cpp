@@ -111,15 +111,12 @@ VarianceParts variance_start_of(const std::vector<SquaredError>& errors, const s
   return start;
 }
 
-/// Returns the interval of a root, for half an interval of the factor: of its logarithm if the factor is clearly not 0.
+/// Returns the interval of a root, for half an interval of the factor. The upper half is that of the logarithm if the factor is
+/// clearly not 0, because a factor that is found too small has too small a deviation, too.
 RootInterval root_interval(double factor, double half) {
   constexpr double kClear = 0.7;  // of the factor
-  const double value = std::sqrt(factor);
-  if (half < kClear * factor) {
-    const double share = std::exp(half / factor / 2);
-    return {.value = value, .low = value / share, .high = value * share};
-  }
-  return {.value = value, .low = std::sqrt(std::max(0., factor - half)), .high = std::sqrt(factor + half)};
+  const double high = half < kClear * factor ? factor * std::exp(half / factor) : factor + half;
+  return {.value = std::sqrt(factor), .low = std::sqrt(std::max(0., factor - half)), .high = std::sqrt(high)};
 }
 
 void improve_variances(const std::vector<SquaredError>& errors, const std::vector<std::size_t>& chosen,
