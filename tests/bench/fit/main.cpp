@@ -21,12 +21,20 @@ struct Case {
   int most = 1'000'000;  // repetitions: some cases play whole games
 };
 constexpr Case kCases[] = {
-    {"study", bench::study, 40},       {"ball_distance", bench::ball_distance},
-    {"kicks", bench::kicks},           {"partial_kicks", bench::partial_kicks},
-    {"rolling", bench::rolling},       {"rebounds", bench::rebounds},
-    {"falls", bench::falls},           {"sights", bench::sights},
-    {"visibility", bench::visibility}, {"radio", bench::radio},
-    {"walking", bench::walking},       {"games", bench::games},
+    {"study", bench::study, 40},
+    {"ball_distance", bench::ball_distance},
+    {"kicks", bench::kicks},
+    {"partial_kicks", bench::partial_kicks},
+    {"rolling", bench::rolling},
+    {"rebounds", bench::rebounds},
+    {"falls", bench::falls},
+    {"sights", bench::sights},
+    {"visibility", bench::visibility},
+    {"radio", bench::radio},
+    {"walking", bench::walking},
+    {"odometry", bench::odometry},
+    {"localisation", bench::localisation},
+    {"games", bench::games},
 };
 
 }  // namespace

@@ -49,6 +49,8 @@ void sights(int repetitions);
 void visibility(int repetitions);
 void radio(int repetitions);
 void walking(int repetitions);
+void odometry(int repetitions);
+void localisation(int repetitions);
 void games(int repetitions);
 
 }  // namespace bench
