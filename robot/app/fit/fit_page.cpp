@@ -242,6 +242,16 @@ std::string list_of(const std::string& title, const std::vector<std::string>& se
 
 }  // namespace
 
+std::string page_of_check(const fit::Report& report, const std::string& base) {
+  const bool is_good =
+      std::ranges::find(report.scores, std::pair<std::string, double>("outside", 0)) != report.scores.end();
+  const std::string body =
+      std::string("<h1>") +
+      (is_good ? "The models agree with the recordings" : "The models differ from the recordings") +
+      "</h1>\n<p class=\"soft\">Checked: " + escaped(base) + "</p>\n" + part_of(report);
+  return sim::report::html_page("Checked models", kStyle.c_str(), body);
+}
+
 std::string page_of(const Fits& fits) {
   std::vector<std::pair<std::string, std::string>> parts;
   std::string shown;
