@@ -1,6 +1,7 @@
 #include "robot/fit/report.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "robot/core/text.h"
@@ -55,9 +56,14 @@ std::string text_of(const Results& results) {
   widen(results.head);
   for (const auto& row : results.rows) widen(row);
   std::string text = results.title + '\n';
+  // words to the left, numbers to the right
+  const auto is_word = [&](std::size_t column) {
+    const std::string& first = results.rows.empty() ? results.head[column] : results.rows.front()[column];
+    return !first.empty() && std::isalpha(static_cast<unsigned char>(first.front())) != 0;
+  };
   const auto add = [&](const std::vector<std::string>& row) {
     for (std::size_t i = 0; i < row.size(); ++i)
-      text += formatted(i == 0 ? "  %-*s" : "  %*s", static_cast<int>(widths[i]), row[i].c_str());
+      text += formatted(is_word(i) ? "  %-*s" : "  %*s", static_cast<int>(widths[i]), row[i].c_str());
     text += '\n';
   };
   add(results.head);

@@ -96,6 +96,68 @@ test("kicks of recorded games are found again, and those known too loosely stay 
   assert.deepEqual(problems, []);
 });
 
+test("a game gives the models of perception, walk, radio and falls, and simulating it again agrees", async (t) => {
+  const folder = temporaryFolder(t);
+  const file = join(folder, "game.mcap");
+  const planted = {
+    "ball_detection.near": 0.8,
+    "noise.tilt_walking": 0.025,
+    "walk.forward": 0.3,
+    "walk.turn_rate": 1,
+    "radio.loss": 0.25,
+    "localisation.translation_noise": 0.08,
+  };
+  const models = Object.entries(planted).reduce((all, [name, value]) => `${all},${name}=${value}`, "match");
+  const game = ["--rules", "spl2025:5", "--seconds", "300", "--seed", "3", "--models", models, "--every-tick"];
+  const { status: played, stderr: why } = await match(...game, "--mcap", file);
+  assert.equal(played, 0, why);
+  const [out, html] = [join(folder, "mine.json"), join(folder, "fit.html")];
+  const { status, stdout, stderr } = await fit(file, "--out", out, "--html", html, "--json");
+  assert.equal(status, 0, stderr);
+  const { figures } = JSON.parse(stdout);
+  for (const [name, value] of Object.entries(planted)) {
+    const { low, high } = figures[name];
+    const air = (high - low) / 2; // one game of a hundred lies beyond twice the interval
+    assert.ok(low - air <= value && value <= high + air, `${name}: ${value} and ${low} .. ${high}`);
+  }
+  const { page, problems } = await open(t, pathToFileURL(html).href);
+  for (const name of ["How the robots walk", "Which balls the robots see", "What the team's packets go through"])
+    await page.getByRole("heading", { name }).waitFor();
+  await page.getByRole("img", { name: "Balls seen over their distance" }).waitFor();
+  await shoot(page, "fit-game");
+  await page.setViewportSize(kPhone);
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  await shoot(page, "fit-game-phone");
+  assert.deepEqual(problems, []);
+
+  const right = await fit(file, "--check", "--models", out);
+  assert.equal(right.status, 0, right.stdout + right.stderr);
+  const wrong = await fit(file, "--check", "--models", `${models},walk.forward=0.4`, "--json", "--html", html);
+  assert.equal(wrong.status, 1, wrong.stderr);
+  const { outside, results } = JSON.parse(wrong.stdout);
+  const flagged = results.filter((row) => row.includes("OUTSIDE")).map((row) => row.join(" "));
+  assert.equal(flagged.length, outside);
+  assert.ok(flagged.length > 0 && flagged.every((row) => /walk/.test(row)), flagged.join("\n"));
+  await page.goto(pathToFileURL(html).href);
+  await page.getByRole("heading", { name: "The models differ from the recordings" }).waitFor();
+  await shoot(page, "fit-check");
+  const both = await fit(file, "--check", "--out", out);
+  assert.equal(both.status, 2);
+  assert.match(both.stderr, /--check goes with neither --out nor --csv nor --only/);
+
+  const needs = await run("foresight-lab", "plan-fit", file, "--json");
+  assert.equal(needs.status, 0, needs.stderr);
+  const names = JSON.parse(needs.stdout).map(({ figure }) => figure);
+  for (const name of [
+    "walk.backward",
+    "ball_detection.near",
+    "radio.loss",
+    "ball.deceleration",
+    "ball.robot_restitution",
+  ])
+    assert.ok(names.includes(name), `${name} is missing in ${names.join(", ")}`);
+});
+
 test("the distance of the ball is fitted to its size in images, shown, and told in a table", async (t) => {
   const folder = temporaryFolder(t);
   const sessions = [
