@@ -104,8 +104,9 @@ std::string part_of(const fit::BallDistance& fit) {
          truth_plot(fit) + "</div>\n" +
          formatted(
              "<p class=\"soft\">Errors on images held out, %s. %zu images: left out were %zu without truth, %zu cut by "
-             "the border and %zu damaged.</p>\n",
-             fit.parts.c_str(), fit.seen.sizes.size(), fit.seen.without_truth, fit.seen.cut, fit.seen.damaged) +
+             "the border, %zu damaged and %zu like others of their pass.</p>\n",
+             fit.parts.c_str(), fit.seen.sizes.size(), fit.seen.without_truth, fit.seen.cut, fit.seen.damaged,
+             fit.seen.thinned) +
          held_out_table(fit);
 }
 
@@ -240,6 +241,16 @@ std::string list_of(const std::string& title, const std::vector<std::string>& se
 }
 
 }  // namespace
+
+std::string page_of_check(const fit::Report& report, const std::string& base) {
+  const bool is_good =
+      std::ranges::find(report.scores, std::pair<std::string, double>("outside", 0)) != report.scores.end();
+  const std::string body =
+      std::string("<h1>") +
+      (is_good ? "The models agree with the recordings" : "The models differ from the recordings") +
+      "</h1>\n<p class=\"soft\">Checked: " + escaped(base) + "</p>\n" + part_of(report);
+  return sim::report::html_page("Checked models", kStyle.c_str(), body);
+}
 
 std::string page_of(const Fits& fits) {
   std::vector<std::pair<std::string, std::string>> parts;

@@ -7,7 +7,10 @@
 #include "robot/core/text.h"
 #include "robot/fit/ball_noise/ball_noise.h"
 #include "robot/fit/ball_noise/latency.h"
+#include "robot/fit/checking/checking.h"
 #include "robot/fit/falling/falling.h"
+#include "robot/fit/localisation/localisation.h"
+#include "robot/fit/localisation/odometry.h"
 #include "robot/fit/opponents/opponents.h"
 #include "robot/fit/plan.h"
 #include "robot/fit/radio/radio.h"
@@ -68,6 +71,8 @@ constexpr Reporting kReporting[] = {
     {"latency", fit::fit_latency},
     {"visibility", fit::fit_visibility},
     {"false_balls", fit::fit_false_balls},
+    {"odometry", fit::fit_odometry},
+    {"localisation", fit::fit_localisation},
     {"rebounds", fit::fit_rebounds},
     {"falls", fit::fit_falling},
     {"radio", fit::fit_radio},
@@ -173,6 +178,12 @@ Result<std::vector<fit::Need>> needs_of(const fit::Evidence& evidence, const std
     needs.insert(needs.end(), report.needs.begin(), report.needs.end());
   }
   return needs;
+}
+
+Result<fit::Report> check(const fit::Evidence& evidence, const std::string& base) {
+  const auto models = sim::io::load_models(base);
+  if (!models) return models.failure();
+  return fit::check_models(evidence, *models);
 }
 
 std::string to_text(const Fits& fits) {

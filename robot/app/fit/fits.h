@@ -41,12 +41,19 @@ Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::strin
 /// Returns what should be recorded next, for all fits. Returns an Error if `base` cannot be loaded.
 Result<std::vector<fit::Need>> needs_of(const fit::Evidence& evidence, const std::string& base);
 
+/// Simulates the recorded situations with the models `base`, a name or a file (robot/fit/checking). Returns an Error if they cannot
+/// be loaded.
+Result<fit::Report> check(const fit::Evidence& evidence, const std::string& base);
+
 /// Formats the fits for a terminal, or as JSON.
 std::string to_text(const Fits& fits);
 nlohmann::ordered_json to_json(const Fits& fits);
 
 /// Returns a single HTML file without scripts, which needs no other file: pictures first, then tables.
 std::string page_of(const Fits& fits);
+
+/// Returns a page of a check of the models `base`.
+std::string page_of_check(const fit::Report& report, const std::string& base);
 
 /// Returns a description of models (sim/io/models.h): those of `base` with the fitted figures that the simulator has and that
 /// are known well enough. The

@@ -12,6 +12,7 @@
 namespace robot::fit {
 namespace {
 
+constexpr std::size_t kMostImages = 4000;  // more take minutes and hardly narrow the interval
 constexpr std::size_t kFewestImages = 30, kFewestPasses = 5;
 constexpr double kLeastSpread = 1.5;  // the greatest distance is that many times the least
 constexpr std::size_t kPassSamples = 200, kCurvePoints = 40, kParts = 5;
@@ -173,7 +174,8 @@ std::optional<double> BallDistance::distance(double radius) const {
 }
 
 Result<BallDistance> fit_ball_distance(BallSizes seen) {
-  const std::vector<Group> passes = passes_of(seen.sizes);
+  std::vector<Group> passes = passes_of(seen.sizes);
+  thin(seen, passes, kMostImages);
   if (Result<void> good = check(seen, passes); !good) return good.failure();
   BallDistance fit;
   fit.seen = std::move(seen);
@@ -247,8 +249,10 @@ std::string to_text(const BallDistance& fit) {
   for (const HeldOut& bin : curves.front()) text += formatted(" %10s", range_of(bin).c_str());
   text += formatted(" %8s %6s %6s\n", "median", "95 %", "bias");
   for (const std::vector<HeldOut>& bins : curves) text += line_of(bins);
-  return text + formatted("left out: %zu images without truth, %zu cut by the border, %zu damaged\n",
-                          fit.seen.without_truth, fit.seen.cut, fit.seen.damaged);
+  return text +
+         formatted(
+             "left out: %zu images without truth, %zu cut by the border, %zu damaged, %zu like others of their pass\n",
+             fit.seen.without_truth, fit.seen.cut, fit.seen.damaged, fit.seen.thinned);
 }
 
 }  // namespace robot::fit

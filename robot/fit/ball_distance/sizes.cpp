@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "proto/foresight/vision.pb.h"
 #include "robot/lab/clocks/true_motion.h"
@@ -101,6 +102,22 @@ std::vector<Group> passes_of(const std::vector<BallSize>& sizes) {
     passes.back().push_back(i);
   }
   return passes;
+}
+
+void thin(BallSizes& seen, std::vector<Group>& passes, std::size_t most) {
+  const std::size_t count = seen.sizes.size(), every = (count + most - 1) / std::max<std::size_t>(most, 1);
+  if (every <= 1) return;
+  std::vector<BallSize> some;
+  for (Group& pass : passes) {
+    Group rest;
+    for (std::size_t i = 0; i < pass.size(); i += every) {
+      rest.push_back(some.size());
+      some.push_back(seen.sizes[pass[i]]);
+    }
+    pass = std::move(rest);
+  }
+  seen.thinned += count - some.size();
+  seen.sizes = std::move(some);
 }
 
 }  // namespace robot::fit

@@ -32,6 +32,7 @@ struct BallSizes {
   std::size_t without_truth = 0;        // images with a ball that the truth did not see
   std::size_t cut = 0;                  // images whose border cuts the ball
   std::size_t damaged = 0;              // images with a radius or a width that cannot be
+  std::size_t thinned = 0;              // images of long recordings, left out by thin()
 };
 
 /// Reads the vision of each robot.
@@ -39,5 +40,9 @@ BallSizes read_ball_sizes(const Evidence& evidence);
 
 /// Returns the passes: images of one recording without a pause of half a second, at most two seconds long.
 std::vector<Group> passes_of(const std::vector<BallSize>& sizes);
+
+/// Leaves the first and then each n-th image of a pass, so that about `most` images remain and no pass is lost. The images of a
+/// pass are much alike, so hardly anything is lost. `passes` are then those of the images that remain.
+void thin(BallSizes& seen, std::vector<Group>& passes, std::size_t most);
 
 }  // namespace robot::fit

@@ -10,6 +10,8 @@
 #include "robot/fit/ball_noise/ball_noise.h"
 #include "robot/fit/ball_noise/latency.h"
 #include "robot/fit/falling/falling.h"
+#include "robot/fit/localisation/localisation.h"
+#include "robot/fit/localisation/odometry.h"
 #include "robot/fit/radio/radio.h"
 #include "robot/fit/visibility/false_balls.h"
 #include "robot/fit/visibility/visibility.h"
@@ -45,6 +47,11 @@ const std::map<std::string, double>& planted_values() {
       {"walk.spread", 0.4},
       {"falls.per_minute_walking", 0.6},
       {"falls.per_second_touching", 0.08},
+      {"localisation.translation_noise", 0.08},
+      {"localisation.rotation_noise", 0.08},
+      {"localisation.rotation_per_metre", 0.06},
+      {"localisation.fall_deviation", 0.4},
+      {"localisation.mark_deviation", 0.1},
       {"radio.delay", 0.15},
       {"radio.loss", 0.25},
   };
@@ -79,6 +86,8 @@ void games(int repetitions) {
     planted.add(robot::fit::fit_walking(evidence, *base));
     planted.add(robot::fit::fit_falling(evidence, *base));
     planted.add(robot::fit::fit_radio(evidence, *base));
+    planted.add(robot::fit::fit_odometry(evidence, *base));
+    planted.add(robot::fit::fit_localisation(evidence, *base));
   }
   std::filesystem::remove_all(folder);
   planted.print();

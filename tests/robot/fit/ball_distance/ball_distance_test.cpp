@@ -42,6 +42,22 @@ TEST(BallDistance, IsBetterThanThePowerLawAndAConstantOnImagesHeldOut) {
   EXPECT_EQ(by_curve(fit->held_out).size(), 4u) << "three curves and the robot's own";
 }
 
+TEST(BallDistance, LongRecordingsAreThinnedWithoutLosingAPass) {
+  BallSizes seen = planted_balls({}, 7);
+  std::vector<Group> passes = passes_of(seen.sizes);
+  const std::size_t images = seen.sizes.size(), before = passes.size();
+  const std::vector<BallSize> all = seen.sizes;
+  std::vector<BallSize> first;
+  for (const Group& pass : passes) first.push_back(all[pass.front()]);
+  thin(seen, passes, images);
+  EXPECT_EQ(seen.sizes.size(), images) << "few enough";
+  thin(seen, passes, images / 4);
+  EXPECT_LE(seen.sizes.size(), images / 4 + before);
+  EXPECT_EQ(seen.sizes.size() + seen.thinned, images);
+  ASSERT_EQ(passes.size(), before);
+  for (std::size_t i = 0; i < passes.size(); ++i) EXPECT_EQ(seen.sizes[passes[i].front()].at, first[i].at);
+}
+
 TEST(BallDistance, NothingIsKnownOutsideItsDomain) {
   const auto fit = fit_ball_distance(planted_balls({}, 7));
   ASSERT_TRUE(fit) << fit.error();
