@@ -17,25 +17,18 @@ constexpr const char* kPlanted = "match,hits.partial=0.3";
 
 sim::Models models_with(const std::string& changes) { return *sim::io::load_models(kPlanted + changes); }
 
-/// A simulated game of 120 s, read once.
-class CheckedGame : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = new ::tests::TemporaryFolder;
-    evidence_ = new Evidence(tests::simulated_robots(
-        folder_->path() / "game", {.models = kPlanted, .seconds = 120, .seed = 1, .place_error = 0.003}));
-    situations_ = new Situations(read_situations(*evidence_, models_with("")));
-  }
-  static void TearDownTestSuite() {
-    delete situations_;
-    delete evidence_;
-    delete folder_;
-  }
-
-  static inline const ::tests::TemporaryFolder* folder_ = nullptr;
-  static inline const Evidence* evidence_ = nullptr;
-  static inline const Situations* situations_ = nullptr;
+/// A simulated game of 120 s, recorded and read once.
+struct CheckedGame {
+  ::tests::TemporaryFolder folder;
+  Evidence evidence = tests::simulated_robots(folder.path() / "game",
+                                              {.models = kPlanted, .seconds = 120, .seed = 1, .place_error = 0.003});
+  Situations situations = read_situations(evidence, models_with(""));
 };
+
+const CheckedGame& checked_game() {
+  static const CheckedGame game;
+  return game;
+}
 
 /// Returns the names of the statistics that are outside.
 std::vector<std::string> outside_in(const Report& report) {
@@ -46,8 +39,8 @@ std::vector<std::string> outside_in(const Report& report) {
   return names;
 }
 
-TEST_F(CheckedGame, ItsOwnModelsHaveAllStatisticsInside) {
-  const Report report = check_models(*situations_, models_with(""));
+TEST(Checking, ItsOwnModelsHaveAllStatisticsInside) {
+  const Report report = check_models(checked_game().situations, models_with(""));
   EXPECT_EQ(report.name, "check");
   ASSERT_EQ(report.results.size(), 1u);
   EXPECT_TRUE(outside_in(report).empty()) << to_text(report);
@@ -67,31 +60,33 @@ TEST_F(CheckedGame, ItsOwnModelsHaveAllStatisticsInside) {
   for (const double y : dots.y) EXPECT_LE(std::abs(y), 1);
 }
 
-TEST_F(CheckedGame, AFasterWalkIsOutsideByItsSpeed) {
-  const std::vector<std::string> names = outside_in(
-      check_models(*situations_, models_with(",walk.forward=0.455,walk.backward=0.351,walk.sideward=0.312")));
+TEST(Checking, AFasterWalkIsOutsideByItsSpeed) {
+  const std::vector<std::string> names = outside_in(check_models(
+      checked_game().situations, models_with(",walk.forward=0.455,walk.backward=0.351,walk.sideward=0.312")));
   EXPECT_FALSE(names.empty());
   for (const std::string& name : names) EXPECT_TRUE(name.starts_with("walk: speed")) << name;
 }
 
-TEST_F(CheckedGame, OtherModelsOfTheRadioAndOfVisionAreOutside) {
-  const auto names = outside_in(check_models(*situations_, models_with(",radio.loss=0.4,ball_detection.near=0.4")));
+TEST(Checking, OtherModelsOfTheRadioAndOfVisionAreOutside) {
+  const auto names =
+      outside_in(check_models(checked_game().situations, models_with(",radio.loss=0.4,ball_detection.near=0.4")));
   EXPECT_TRUE(std::ranges::find(names, "radio: share of lost packets") != names.end());
   EXPECT_TRUE(std::ranges::find(names, "vision: share of balls seen at 1-2 m") != names.end());
   for (const std::string& name : names) EXPECT_TRUE(name.starts_with("radio") || name.starts_with("vision")) << name;
 }
 
-TEST_F(CheckedGame, TheSameRecordingsGiveTheSame) {
+TEST(Checking, TheSameRecordingsGiveTheSame) {
   const sim::Models models = models_with("");
-  const Report one = check_models(*situations_, models), other = check_models(*situations_, models);
+  const Report one = check_models(checked_game().situations, models),
+               other = check_models(checked_game().situations, models);
   ASSERT_EQ(one.results.size(), other.results.size());
   EXPECT_EQ(one.results[0].rows, other.results[0].rows);
   EXPECT_EQ(one.notes, other.notes);
 }
 
-TEST_F(CheckedGame, WithoutRobotsOnlyTheTruthIsChecked) {
+TEST(Checking, WithoutRobotsOnlyTheTruthIsChecked) {
   Evidence evidence;
-  evidence.games = evidence_->games;
+  evidence.games = checked_game().evidence.games;
   const Report report = check_models(evidence, models_with(""));
   ASSERT_EQ(report.results.size(), 1u);
   for (const auto& row : report.results[0].rows)
