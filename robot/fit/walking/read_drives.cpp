@@ -16,6 +16,7 @@ namespace {
 using sim::motion::Command;
 
 constexpr double kNearRobot = 0.5;     // [m] between two robots: they may touch
+constexpr double kSameTime = 1e-9;     // [s]
 constexpr double kItself = 0.05;       // [m] nearer places are those of the robot itself
 constexpr double kLookRound = 0.2;     // [s] between two looks at the neighbours
 constexpr double kTooOld = 0.1;        // [s] between a place and that of a neighbour
@@ -154,7 +155,8 @@ void add_neighbours(const WatchedRobot& robot, DriveLimits& limits) {
     for (std::size_t i = 0; i < at_place.size(); ++i) {
       const lab::Path& path = robot.game->record.robots[i].path;
       std::size_t& k = at_place[i];
-      while (k < path.size() && path[k].at < place.at - kTooOld) ++k;
+      // the robot's own path has this very place; an older one of it would seem to be another robot
+      while (k < path.size() && path[k].at < place.at - kSameTime) ++k;
       if (k == path.size() || path[k].at > place.at + kTooOld) continue;
       const double far = std::hypot(path[k].x - place.x, path[k].y - place.y);
       if (far < kNearRobot && far > kItself) limits.disturbed.push_back(place.at);

@@ -9,6 +9,8 @@
 
 #include "robot/fit/walking/paces.h"
 #include "tests/support/planted_walks.h"
+#include "tests/support/simulated_robots.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robot::tests {
 namespace {
@@ -164,6 +166,20 @@ TEST(Paces, EqualRobotsMayHaveNoSpread) {
   const fit::Fastest fastest = fit::fastest_of({0, 0.002, -0.003, 0.001, -0.001}, {0.01, 0.01, 0.01, 0.01, 0.01}, {});
   EXPECT_EQ(fastest.spread.low, 0);
   EXPECT_LT(fastest.spread.high, 0.15);
+}
+
+TEST(ReadDrives, AnErrorOfTheTruthDoesNotMakeARobotItsOwnNeighbour) {
+  const auto seconds = [](double place_error) {
+    const ::tests::TemporaryFolder folder;
+    const fit::Drives drives =
+        fit::read_drives(simulated_robots(folder.path() / "game", {.seconds = 60, .place_error = place_error}));
+    double sum = 0;
+    for (const fit::Drive& drive : drives.drives) sum += drive.poses.back().at - drive.poses.front().at;
+    return sum;
+  };
+  const double exact = seconds(0);
+  EXPECT_GT(exact, 60);
+  EXPECT_GT(seconds(0.02), 0.8 * exact);
 }
 
 }  // namespace
