@@ -174,7 +174,7 @@ TEST(ReadDrives, AnErrorOfTheTruthDoesNotMakeARobotItsOwnNeighbour) {
     const fit::Drives drives =
         fit::read_drives(simulated_robots(folder.path() / "game", {.seconds = 60, .place_error = place_error}));
     double sum = 0;
-    for (const fit::Drive& drive : drives.drives) sum += drive.poses.back().at - drive.poses.front().at;
+    for (const fit::Drive& drive : drives.drives) sum += (drive.poses.back().tick - drive.poses.front().tick) / 30;
     return sum;
   };
   const double exact = seconds(0);
