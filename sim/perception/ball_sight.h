@@ -15,10 +15,10 @@ struct Images {
 /// The ball as one perception measures it.
 struct BallPercept {
   bool seen = false;
-  Vec2 position;   // [m, robot]
-  Vec2 velocity;   // [m/s, robot's axes] measured from several images; the true one without noise; 0 of a false ball
-  Images images;   // source of position and velocity
-  Tick ago = 0;    // [ticks] age of the newest of them
+  Vec2 position;    // [m, robot]
+  Vec2 velocity;    // [m/s, robot's axes] measured from several images; the true one without noise; 0 of a false ball
+  Images images;    // source of position and velocity
+  Tick ago = 0;     // [ticks] age of the newest of them
   float range = 0;  // [m] true distance of the thing that the newest image shows
   float heat = 0;   // [0..1] how likely an opponent is about to kick the ball
 };

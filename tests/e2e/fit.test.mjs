@@ -244,7 +244,10 @@ test("wrong words and files get one sentence", async (t) => {
   const [game] = await games(folder, 0.3, 1);
   writeFileSync(join(folder, "bad.json"), '{"name": "bad"}');
   const wrong = [
-    [[game, "--only", "walking"], /^foresight-lab: --only: expected ball_distance, rolling, kicks, walk, .*opponents, got 'walking'\n$/],
+    [
+      [game, "--only", "walking"],
+      /^foresight-lab: --only: expected ball_distance, rolling, kicks, walk, .*opponents, got 'walking'\n$/,
+    ],
     [[join(folder, "none")], /^foresight-lab: .*none/],
     [[game, "--truth", join(folder, "none.mcap")], /^foresight-lab: .*none\.mcap/],
     [
