@@ -57,13 +57,9 @@ std::string text_of(const Results& results) {
   for (const auto& row : results.rows) widen(row);
   std::string text = results.title + '\n';
   // words to the left, numbers to the right
-  const auto is_word = [&](std::size_t column) {
-    const std::string& first = results.rows.empty() ? results.head[column] : results.rows.front()[column];
-    return !first.empty() && std::isalpha(static_cast<unsigned char>(first.front())) != 0;
-  };
   const auto add = [&](const std::vector<std::string>& row) {
     for (std::size_t i = 0; i < row.size(); ++i)
-      text += formatted(is_word(i) ? "  %-*s" : "  %*s", static_cast<int>(widths[i]), row[i].c_str());
+      text += formatted(results.has_words(i) ? "  %-*s" : "  %*s", static_cast<int>(widths[i]), row[i].c_str());
     text += '\n';
   };
   add(results.head);
@@ -72,6 +68,11 @@ std::string text_of(const Results& results) {
 }
 
 }  // namespace
+
+bool Results::has_words(std::size_t column) const {
+  const std::string& first = rows.empty() ? head[column] : rows.front()[column];
+  return !first.empty() && std::isalpha(static_cast<unsigned char>(first.front())) != 0;
+}
 
 Need need_of(const Figure& figure, double wanted, const std::string& advice) {
   const double half = (figure.high - figure.low) / 2;

@@ -47,6 +47,9 @@ struct Results {
   std::string title;
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;  // as long as `head`
+
+  /// Reports whether a column has words, by its first row. The others have numbers.
+  bool has_words(std::size_t column) const;
 };
 
 /// The state of one figure, or of one range of a curve: what is still to be recorded.

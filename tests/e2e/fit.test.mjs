@@ -69,7 +69,14 @@ test("kicks of recorded games are found again, and those known too loosely stay 
   const { status, stdout, stderr } = await fit(file, "--out", out, "--html", html, "--csv", csv, "--json");
   assert.equal(status, 0, stderr);
   const { figures, kicks, kept } = JSON.parse(stdout);
-  const planted = { range: 4, range_deviation: 0.22, direction: 0, direction_deviation: 0.122, delay: 0.65 };
+  const planted = {
+    range: 4,
+    range_deviation: 0.22,
+    direction: 0,
+    direction_deviation: 0.122,
+    delay: 0.65,
+    duration: 1.65,
+  };
   for (const [name, value] of Object.entries(planted)) {
     const { low, high } = figures[`kicks.long.${name}`];
     const air = (high - low) / 2; // one game of a hundred lies beyond twice the interval

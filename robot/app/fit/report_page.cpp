@@ -12,6 +12,8 @@ namespace {
 
 using sim::report::escaped, sim::report::Plot;
 
+constexpr std::size_t kFewDots = 60;  // up to here they are drawn larger
+
 const char* style_of(fit::Mark::Role role) {
   switch (role) {
     case fit::Mark::Role::truth: return "truth";
@@ -41,7 +43,9 @@ std::vector<std::pair<double, double>> points_of(const fit::Mark& mark) {
 void draw_mark(Plot& plot, const fit::Mark& mark) {
   const char* const style = style_of(mark.role);
   switch (mark.shape) {
-    case fit::Mark::Shape::dots: plot.dots(style, points_of(mark)); break;
+    case fit::Mark::Shape::dots:
+      plot.dots(std::string(style) + (mark.x.size() <= kFewDots ? " few" : ""), points_of(mark));
+      break;
     case fit::Mark::Shape::line: plot.line(style, points_of(mark)); break;
     case fit::Mark::Shape::band: plot.band(style, mark.x, mark.y, mark.high); break;
     case fit::Mark::Shape::bars:
@@ -72,17 +76,22 @@ std::string sentence(const std::string& words) {
   return text;
 }
 
-std::string row_of(const char* cell, const std::vector<std::string>& words) {
+std::string row_of(const char* cell, const fit::Results& results, const std::vector<std::string>& words) {
   std::string row = "<tr>";
-  for (const std::string& word : words) row += formatted("<%s>%s</%s>", cell, escaped(word).c_str(), cell);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const char* const style = words[i] == "OUTSIDE"  ? " class=\"outside\""
+                              : results.has_words(i) ? " class=\"words\""
+                                                     : "";
+    row += formatted("<%s%s>%s</%s>", cell, style, escaped(words[i]).c_str(), cell);
+  }
   return row + "</tr>\n";
 }
 
 std::string results_part(const fit::Results& results) {
   const char* const span = results.head.size() > 7 ? " whole" : "";
   std::string part = formatted("<div class=\"card wide%s\"><b>", span) + sentence(results.title) + "</b><table>\n" +
-                     row_of("th", results.head);
-  for (const auto& row : results.rows) part += row_of("td", row);
+                     row_of("th", results, results.head);
+  for (const auto& row : results.rows) part += row_of("td", results, row);
   return part + "</table></div>\n";
 }
 

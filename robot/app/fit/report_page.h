@@ -17,7 +17,9 @@ inline constexpr const char* kMarkStyle = R"(
 .other { fill: var(--other); color: var(--other); opacity: .55; } .fitted { fill: var(--ink); color: var(--ink); }
 polyline { fill: none !important; opacity: 1 !important; stroke: currentColor; stroke-width: 2; }
 polyline.other { stroke-width: 1.5; stroke-dasharray: 5 4; } polygon { opacity: .16 !important; stroke: none; }
-.even { color: var(--other); } polyline.even { stroke-width: 1; } circle.end { display: none; }
+.few circle { r: 3.2px; } .words { text-align: left !important; } .outside { color: var(--bad); font-weight: 600; text-align: left !important; }
+.even { color: var(--other); } polyline.few circle { r: 3.2px; } .words { text-align: left !important; } .outside { color: var(--bad); font-weight: 600; text-align: left !important; }
+.even { stroke-width: 1; } circle.end { display: none; }
 .key { display: inline-block; width: 11px; height: 11px; border-radius: 6px; margin: 0 5px 0 12px; background: currentColor; }
 .key.line { height: 2px; width: 20px; vertical-align: middle; border-radius: 0; opacity: 1; }
 .item { white-space: nowrap; } .key.bars { border-radius: 2px; } .key.band { opacity: .3; border-radius: 2px; }

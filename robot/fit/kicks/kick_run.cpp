@@ -36,8 +36,10 @@ std::vector<KickRun> reported(const WatchedRobot& robot, const std::vector<KickR
   const auto add = [&](const foresight::MotionStatus& status, std::uint64_t capture_ns) {
     const double at = robot.true_seconds(capture_ns);
     if (status.running() != running && !status.running().empty())  // it began between two messages
-      runs.push_back({.kind = status.running(), .left = true, .begin = (before + at) / 2, .end = at});
+      runs.push_back(
+          {.kind = status.running(), .left = true, .begin = (before + at) / 2, .end = at, .step = at - before});
     if (!status.running().empty()) runs.back().end = at;
+    if (status.running().empty() && !running.empty()) runs.back().end = (before + at) / 2;
     running = status.running();
     before = at;
   };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "robot/core/text.h"
+#include "robot/fit/kicks/kick_habits.h"
 #include "robot/fit/math/resampling.h"
 #include "robot/fit/text_plot.h"
 
@@ -154,7 +155,12 @@ class Collection {
       const auto kind = std::ranges::find(facts_.kinds, run.kind, &KickKind::name);
       if (kind == facts_.kinds.end()) continue;
       any = true;
-      add(tracked(truth, robot.path, run, *kind, facts_.deceleration), recording, fit_of(run.kind));
+      KickFit& fit = fit_of(run.kind);
+      if (run.step > 0) {
+        fit.durations.push_back(run.end - run.begin);
+        fit.status_step = std::max(fit.status_step, run.step);
+      }
+      add(tracked(truth, robot.path, run, *kind, facts_.deceleration), run.left, recording, fit);
     }
     if (any) names_.push_back(robot.name);
   }
@@ -166,14 +172,15 @@ class Collection {
   KickFit& fit_of(const std::string& kind) {
     const auto known = std::ranges::find(fits_, kind, &KickFit::kind);
     if (known != fits_.end()) return *known;
-    fits_.push_back({.kind = kind, .kicks = {}, .model = {}, .figures = {}, .partial = {}});
+    fits_.push_back({.kind = kind, .kicks = {}, .durations = {}, .model = {}, .figures = {}, .partial = {}});
     return fits_.back();
   }
 
-  static void add(const std::variant<TrackedKick, Untold>& kick, std::size_t recording, KickFit& fit) {
+  static void add(const std::variant<TrackedKick, Untold>& kick, bool left, std::size_t recording, KickFit& fit) {
     if (const auto* good = std::get_if<TrackedKick>(&kick)) {
       fit.kicks.push_back(*good);
       fit.kicks.back().recording = recording;
+      fit.kicks.back().left = left;
       return;
     }
     switch (std::get<Untold>(kick)) {
@@ -239,6 +246,7 @@ Result<KickFit> fit_kind(KickFit seen, const std::vector<std::string>& recording
   if (static_cast<double>(all.size()) * (1 - seen.model.partial) < kFewestFull)
     seen.figures[1].low = 0, seen.figures[1].high = kMostRangeDeviation;
   seen.figures.push_back(delay_of(seen));
+  for (Figure& figure : habits_of(seen)) seen.figures.push_back(std::move(figure));
   for (Figure& figure : seen.figures) figure.recordings = recordings;
   seen.partial = figure_of(seen, {"", "", kWidestPartial, 0}, values[4], 0);
   seen.partial.name = "hits.partial";

@@ -24,10 +24,13 @@ struct KickFit {
   std::string kind;
   std::vector<TrackedKick> kicks;  // in place and undisturbed
   std::size_t out_of_place = 0, disturbed = 0, missed = 0;
+  std::vector<double> durations;  // [s] of all runs with a reported end, also of disturbed ones
+  double status_step = 0;         // [s] greatest time between two messages of the motion status at their begin
   KickModel model;
-  std::vector<Figure> figures;  // range [m], range_deviation, direction [rad], direction_deviation [rad], delay [s]
-  Figure partial;               // hits.partial, by the kicks of this kind
-  double slowest = 0;           // [m/s] of the kicks that count
+  std::vector<Figure>
+      figures;         // range [m], range_deviation, direction [rad], direction_deviation [rad], delay [s]; habits
+  Figure partial;      // hits.partial, by the kicks of this kind
+  double slowest = 0;  // [m/s] of the kicks that count
   // on kicks held out, each fifth in turn
   double covered = 0;         // [0..1] share that lands in the region of 90 %
   double crps = 0;            // [m] of the landing distance

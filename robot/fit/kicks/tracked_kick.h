@@ -19,6 +19,7 @@ struct KickKind {
 
 struct TrackedKick {
   std::size_t recording = 0;       // index of the robot's recording
+  bool left = true;                // the foot
   double at = 0;                   // [s] of the touch, since the epoch of the truth
   double delay = 0;                // [s] from the begin of the kick
   double speed = 0;                // [m/s] of the ball after the touch
