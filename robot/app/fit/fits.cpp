@@ -87,19 +87,6 @@ Result<void> check_names(const std::vector<std::string>& only) {
   return {};
 }
 
-fit::KickFacts facts_of(const sim::Models& models) {
-  fit::KickFacts facts{.kinds = {}, .deceleration = models.ball.deceleration, .spread = models.motion.hits.spread};
-  for (int i = 0; i < models.motion.kick_count; ++i) {
-    const sim::motion::Kick& kick = models.motion.kicks[i];
-    facts.kinds.push_back({.name = kick.name,
-                           .ball_x = kick.ball_x,
-                           .ball_y = kick.ball_y,
-                           .gate_x = kick.gate_x,
-                           .gate_y = kick.gate_y});
-  }
-  return facts;
-}
-
 /// Adds a sentence for each figure that is known too loosely.
 void keep_loose(Fits& fits) {
   for (const fit::Figure& figure : fits.figures())
@@ -158,7 +145,7 @@ Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::strin
     models->ball.deceleration = static_cast<float>(fits.rolling->deceleration.value);
   }
   fits.kicks = made(
-      "kicks", only, [&] { return fit::fit_kicks(evidence, facts_of(*models)); }, fits.kept);
+      "kicks", only, [&] { return fit::fit_kicks(evidence, fit::kick_facts_of(*models)); }, fits.kept);
   if (fits.kicks) fits.kept.insert(fits.kept.end(), fits.kicks->kept.begin(), fits.kicks->kept.end());
   for (const Reporting& one : kReporting) {
     if (!is_wanted(one.name, only)) continue;
@@ -172,7 +159,7 @@ Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::strin
 Result<std::vector<fit::Need>> needs_of(const fit::Evidence& evidence, const std::string& base) {
   const auto models = sim::io::load_models(base);
   if (!models) return models.failure();
-  std::vector<fit::Need> needs = fit::plan(evidence, facts_of(*models));
+  std::vector<fit::Need> needs = fit::plan(evidence, fit::kick_facts_of(*models));
   for (const Reporting& one : kReporting) {
     const fit::Report report = one.make(evidence, *models);
     needs.insert(needs.end(), report.needs.begin(), report.needs.end());

@@ -20,9 +20,6 @@
 
 namespace robot::fit {
 
-/// Returns the facts of the models about kicks.
-KickFacts kick_facts_of(const sim::Models& models);
-
 /// Replays the recorded commands in the simulator's mean walk, with the luck of the steps, a pace for each robot, the error of its
 /// clock and that of the truth. Statistics: the mean over robots of the speed ahead, back, to a side, and of the turn rate; the
 /// speed ahead of the fastest of at least three robots. A robot counts with two seconds, five stretches in all are enough.

@@ -101,19 +101,6 @@ void add_kind(const KickFit& seen, const sim::motion::Kick& kick, const sim::Mod
 
 }  // namespace
 
-KickFacts kick_facts_of(const sim::Models& models) {
-  KickFacts facts{.kinds = {}, .deceleration = models.ball.deceleration, .spread = models.motion.hits.spread};
-  for (int i = 0; i < models.motion.kick_count; ++i) {
-    const sim::motion::Kick& kick = models.motion.kicks[i];
-    facts.kinds.push_back({.name = kick.name,
-                           .ball_x = kick.ball_x,
-                           .ball_y = kick.ball_y,
-                           .gate_x = kick.gate_x,
-                           .gate_y = kick.gate_y});
-  }
-  return facts;
-}
-
 std::vector<Statistic> check_kicks(const std::vector<KickFit>& seen, const sim::Models& models,
                                    std::vector<std::string>& missing) {
   std::vector<Statistic> all;

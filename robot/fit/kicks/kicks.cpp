@@ -223,6 +223,19 @@ double greatest_deviation(const Evidence& evidence) {
 
 }  // namespace
 
+KickFacts kick_facts_of(const sim::Models& models) {
+  KickFacts facts{.kinds = {}, .deceleration = models.ball.deceleration, .spread = models.motion.hits.spread};
+  for (int i = 0; i < models.motion.kick_count; ++i) {
+    const sim::motion::Kick& kick = models.motion.kicks[i];
+    facts.kinds.push_back({.name = kick.name,
+                           .ball_x = kick.ball_x,
+                           .ball_y = kick.ball_y,
+                           .gate_x = kick.gate_x,
+                           .gate_y = kick.gate_y});
+  }
+  return facts;
+}
+
 Result<KickFit> fit_kind(KickFit seen, const std::vector<std::string>& recordings, const KickFacts& facts) {
   std::erase_if(seen.kicks, [&](const TrackedKick& kick) { return kick.speed < seen.slowest; });
   if (seen.kicks.size() < kFewestKicks)

@@ -9,6 +9,7 @@
 #include "robot/fit/evidence.h"
 #include "robot/fit/figure.h"
 #include "robot/fit/kicks/kick_model.h"
+#include "sim/match/params.h"
 
 namespace robot::fit {
 
@@ -18,6 +19,9 @@ struct KickFacts {
   double deceleration = 0.3;  // [m/s²] of the ball
   double spread = 1;          // see KickModel::density
 };
+
+/// Returns the facts of the models.
+KickFacts kick_facts_of(const sim::Models& models);
 
 /// One kind of kick.
 struct KickFit {
