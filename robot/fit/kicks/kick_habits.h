@@ -13,7 +13,7 @@ namespace robot::fit {
 ///   kicks.….missed           share of kicks in place whose ball did not move (Wilson 1927), only reported
 ///   kicks.….direction_left   [rad, robot] mean direction of full and partial hits with this foot, mirrored for the right one; only
 ///   kicks.….direction_right  reported, from 8 kicks on
-/// The intervals cover 95 %. That of the duration is at least the time between two messages.
+/// The intervals cover 95 %. That of the duration reaches at least the time between two messages to either side.
 std::vector<Figure> habits_of(const KickFit& fit);
 
 }  // namespace robot::fit

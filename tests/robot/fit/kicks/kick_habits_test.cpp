@@ -50,7 +50,7 @@ TEST(HabitsOf, TheDurationIsKnownToTheTimeBetweenTwoMessages) {
   const Figure* duration = habit_in(figures, "kicks.long.duration");
   ASSERT_TRUE(duration);
   EXPECT_DOUBLE_EQ(duration->value, 1.65);
-  EXPECT_NEAR(duration->high - duration->low, 1 / 30., 1e-9);
+  EXPECT_NEAR(duration->high - duration->low, 2 / 30., 1e-9);
   EXPECT_TRUE(duration->is_known());
   KickFit without = kicks_of(10, 0);
   without.durations.resize(4);
