@@ -80,7 +80,10 @@ Bounded fit_share(const std::vector<Shared>& groups) {
   const double z = two_sided(std::max<std::size_t>(2, groups.size() - 1));
   const double middle = (share + z * z / (2 * n)) / (1 + z * z / n);
   const double half = z / (1 + z * z / n) * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
-  return {.value = share, .low = std::max(0., middle - half), .high = std::min(1., middle + half)};
+  // at the ends the formula leaves a rest of rounding
+  return {.value = share,
+          .low = share > 0 ? std::max(0., middle - half) : 0,
+          .high = share < 1 ? std::min(1., middle + half) : 1};
 }
 
 double delay_score(double mean, double seconds) {

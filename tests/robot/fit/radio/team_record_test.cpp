@@ -159,6 +159,7 @@ TEST(RealPackets, TwoRobotsOf2016SendFiveTimesASecond) {
   ASSERT_EQ(report.figures.size(), 2u);
   EXPECT_EQ(report.figures[0].name, "radio.loss_in_gaps");
   EXPECT_EQ(report.figures[0].value, 0) << "no gap is as long as two intervals";
+  EXPECT_EQ(report.figures[0].low, 0);
   EXPECT_LT(report.figures[0].high, 0.01);
   EXPECT_EQ(report.figures[1].name, "radio.interval");
   EXPECT_NEAR(report.figures[1].value, 0.205, 0.001);
