@@ -170,6 +170,7 @@ fit::Drives drives_of(const std::vector<WalkedDrill>& drills, double clock_devia
   for (const WalkedDrill& drill : drills) {
     drives.robots.push_back("robot " + std::to_string(drives.robots.size() + 1));
     drives.clock_deviation.push_back(clock_deviation);
+    drives.clocks.push_back(drives.clocks.size());
     fit::cut_drives(drill.commands, drill.path, {}, drives);
     for (fit::Halt halt : drill.halts) {
       halt.robot = drives.robots.size() - 1;

@@ -41,6 +41,7 @@ struct Drives {
   std::vector<Halt> halts;
   std::vector<std::string> robots;      // names of those with a drive or a halt, by index
   std::vector<double> clock_deviation;  // [s] of each robot
+  std::vector<std::size_t> clocks;      // for each robot, the first one with the same clock: that of one recording
   double place_deviation = 0.02;        // [m] of either coordinate of a true place
   double heading_deviation = 0.02;      // [rad]
   std::size_t without_command = 0;      // robots that recorded no command

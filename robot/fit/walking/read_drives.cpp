@@ -164,6 +164,14 @@ void add_neighbours(const WatchedRobot& robot, DriveLimits& limits) {
   }
 }
 
+/// Returns the index of the first robot with the same clock: robots of one recording that holds the truth share its clock.
+std::size_t clock_of(const WatchedRobot& robot, const std::vector<const WatchedRobot*>& before) {
+  const auto shares = [&](const WatchedRobot* other) {
+    return robot.clock_by.empty() && other->clock_by.empty() && other->game == robot.game;
+  };
+  return static_cast<std::size_t>(std::ranges::find_if(before, shares) - before.begin());
+}
+
 bool has_heading(const lab::Path& path) {
   return std::ranges::any_of(path, [](const lab::PlaceAt& place) { return std::isfinite(place.heading); });
 }
@@ -173,6 +181,7 @@ bool has_heading(const lab::Path& path) {
 Drives read_drives(const Evidence& evidence) {
   Drives all;
   std::vector<const lab::Path*> paths;
+  std::vector<const WatchedRobot*> readers;  // with a drive or a halt
   for (const WatchedRobot& robot : evidence.robots) {
     const std::vector<TimedCommand> commands = commands_of(robot, all.damaged);
     if (commands.empty()) ++all.without_command;
@@ -192,6 +201,8 @@ Drives read_drives(const Evidence& evidence) {
     }
     const double middle = robot.path[robot.path.size() / 2].at;
     all.clock_deviation.push_back(robot.clock.deviation_at(middle));
+    all.clocks.push_back(clock_of(robot, readers));
+    readers.push_back(&robot);
     paths.push_back(&robot.path);
   }
   measure_scatter(paths, all);

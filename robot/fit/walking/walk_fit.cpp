@@ -53,8 +53,8 @@ double slope_step_of(std::size_t parameter, std::size_t robots) {
   return parameter == kTurnCost ? -kSlopeStep : kSlopeStep;
 }
 
-WalkState walk_state_of(const Walk& base, std::size_t robots) {
-  WalkState state{.parameters = Vector(kWalkParts + 2 * robots)};
+WalkState walk_state_of(const Walk& base, const std::vector<std::size_t>& clocks) {
+  WalkState state{.parameters = Vector(kWalkParts + 2 * clocks.size()), .clocks = clocks};
   Walk walk = base;
   for (std::size_t i = 0; i < kWalkParts; ++i) {
     const double value = walk_member_of(walk, static_cast<WalkPart>(i));
@@ -153,7 +153,7 @@ DriveEquations equations_of(const WalkFit& fit, const DriveTrack& track, const s
   DriveEquations equations;
   const std::size_t robot = track.drive().robot, robots = state.robots();
   for (std::size_t i = 0; i < free.size(); ++i) {
-    const bool other = i >= kWalkParts && i != kWalkParts + robot && i != kWalkParts + robots + robot;
+    const bool other = i >= kWalkParts && i != kWalkParts + robot && i != state.late_index(robot);
     if (free[i] && !other) equations.which.push_back(i);
   }
   const std::size_t count = equations.which.size();
@@ -343,7 +343,7 @@ void measure_walk(const WalkProblem& problem, WalkFit& fit) {
 
 /// Fixes the parameters that the drives do not show. Returns true if there were any.
 bool fix_hidden(const Walk& base, WalkFit& fit) {
-  const WalkState start = walk_state_of(base, fit.state.robots());
+  const WalkState start = walk_state_of(base, fit.state.clocks);
   bool any = false;
   for (std::size_t i = 0; i < kWalkParts; ++i) {
     const bool shown = fit.shown[i].amount >= enough_of(static_cast<WalkPart>(i)) &&
@@ -402,6 +402,7 @@ double WalkFit::deviation_of_sum(const Vector& combination) const {
 WalkProblem walk_problem_of(const Drives& drives) {
   WalkProblem problem{.tracks = {},
                       .clock_deviation = drives.clock_deviation,
+                      .clocks = drives.clocks,
                       .place_deviation = drives.place_deviation,
                       .heading_deviation = drives.heading_deviation};
   for (const Drive& drive : drives.drives)
@@ -420,11 +421,11 @@ double enough_of(WalkPart part) {
 
 WalkFit fit_walk(const WalkProblem& problem, const Walk& base) {
   const std::size_t robots = problem.clock_deviation.size();
-  WalkFit fit{.state = walk_state_of(base, robots), .base = base};
+  WalkFit fit{.state = walk_state_of(base, problem.clocks), .base = base};
   fit.free.assign(kWalkParts + 2 * robots, true);
   for (std::size_t i = 0; i < robots; ++i) {
     fit.free[kWalkParts + i] = problem.robots_differ && robots > 1;
-    fit.free[kWalkParts + robots + i] = problem.clock_deviation[i] > 0;
+    fit.free[kWalkParts + robots + i] = problem.clock_deviation[i] > 0 && problem.clocks[i] == i;
   }
   search_start(problem, fit);
   do {

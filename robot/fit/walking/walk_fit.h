@@ -29,10 +29,13 @@ enum WalkPart : std::size_t {
 /// A walk with its robots. Parameters: the shared ones, then the logarithm of each robot's pace, then the error of each clock [s].
 struct WalkState {
   Vector parameters;
+  std::vector<std::size_t>
+      clocks;  // for each robot, the one whose error of the clock is its own, too; see Drives::clocks
 
   std::size_t robots() const { return (parameters.size() - kWalkParts) / 2; }
   double log_pace(std::size_t robot) const { return parameters[kWalkParts + robot]; }
-  double late(std::size_t robot) const { return parameters[kWalkParts + robots() + robot]; }
+  double late(std::size_t robot) const { return parameters[late_index(robot)]; }
+  std::size_t late_index(std::size_t robot) const { return kWalkParts + robots() + clocks[robot]; }
   /// Returns the shared parameter in its own unit.
   double value(WalkPart part) const;
   /// Returns the walk of one robot; the rest is that of `base`.
@@ -78,7 +81,8 @@ struct WalkFit {
 /// The settings of a fit.
 struct WalkProblem {
   std::vector<DriveTrack> tracks;
-  Vector clock_deviation;  // [s] of each robot
+  Vector clock_deviation;           // [s] of each robot
+  std::vector<std::size_t> clocks;  // as in Drives
   double place_deviation = 0.02, heading_deviation = 0.02;
   bool robots_differ = true;
 };

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -166,6 +168,18 @@ TEST(Paces, EqualRobotsMayHaveNoSpread) {
   const fit::Fastest fastest = fit::fastest_of({0, 0.002, -0.003, 0.001, -0.001}, {0.01, 0.01, 0.01, 0.01, 0.01}, {});
   EXPECT_EQ(fastest.spread.low, 0);
   EXPECT_LT(fastest.spread.high, 0.15);
+}
+
+TEST(ReadDrives, RobotsOfOneRecordingShareItsClock) {
+  const ::tests::TemporaryFolder folder;
+  auto evidence = simulated_robots(folder.path() / "game", {.seconds = 60, .clock_error = 0.01});
+  append(evidence, simulated_robots(folder.path() / "other", {.seconds = 60, .seed = 2, .clock_error = 0.01}));
+  const fit::Drives drives = fit::read_drives(evidence);
+  ASSERT_EQ(drives.clocks.size(), drives.robots.size());
+  EXPECT_EQ(std::set<std::size_t>(drives.clocks.begin(), drives.clocks.end()).size(), 2u) << "two games";
+  for (fit::WatchedRobot& robot : evidence.robots) robot.clock_by = "data";
+  const fit::Drives apart = fit::read_drives(evidence);
+  for (std::size_t i = 0; i < apart.clocks.size(); ++i) EXPECT_EQ(apart.clocks[i], i) << "recordings of their own";
 }
 
 TEST(ReadDrives, AnErrorOfTheTruthDoesNotMakeARobotItsOwnNeighbour) {
