@@ -371,7 +371,9 @@ test("a recorded game holds the truth and every robot's memory, and is the same 
   // the objects of a live game, and nothing else
   const { topics, metadata, chunks } = readStreamed(bytes);
   const objects = [
+    "camera_top_matrix",
     "odometry",
+    "vision",
     "ball",
     "pose",
     "team",
