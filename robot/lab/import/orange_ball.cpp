@@ -18,7 +18,9 @@ constexpr double kRound = 1.25;                  // most ratio of the box's side
 class OrangeMask {
  public:
   OrangeMask(const Picture& picture, int rows)
-      : width_(picture.width / 2), rows_(rows), orange_(static_cast<std::size_t>(width_ * rows)) {
+      : width_(picture.width / 2),
+        rows_(rows),
+        orange_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows)) {
     for (std::size_t i = 0; i < orange_.size(); ++i) {
       const auto blue = static_cast<unsigned char>(picture.yuyv[4 * i + 1]);
       const auto red = static_cast<unsigned char>(picture.yuyv[4 * i + 3]);
@@ -26,7 +28,7 @@ class OrangeMask {
     }
   }
 
-  /// Removes the next connected patch and returns its pairs (column, row), or none at the end.
+  /// Removes the next connected patch and returns its pairs (column, row), or nothing at the end.
   std::vector<std::pair<int, int>> take_patch() {
     while (next_ < orange_.size() && !orange_[next_]) ++next_;
     std::vector<std::pair<int, int>> patch;
@@ -44,7 +46,8 @@ class OrangeMask {
  private:
   void add(int column, int row, std::vector<std::pair<int, int>>& patch) {
     if (column < 0 || row < 0 || column >= width_ || row >= rows_) return;
-    const auto index = static_cast<std::size_t>(row * width_ + column);
+    const auto index =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column);
     if (!orange_[index]) return;
     orange_[index] = false;
     patch.emplace_back(column, row);
