@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "robot/fit/math/angles.h"
 #include "sim/io/matchup.h"
 #include "sim/perception/localisation.h"
 

@@ -10,6 +10,7 @@
 #include "robot/fit/ball_noise/image_noise.h"
 #include "robot/fit/ball_noise/noise_pictures.h"
 #include "robot/fit/ball_noise/profile.h"
+#include "robot/fit/math/angles.h"
 #include "robot/lab/clocks/belief_error.h"
 
 namespace robot::fit {
@@ -178,7 +179,7 @@ void add_scores(const NoiseScores& scores, Report& report) {
 /// alone without a true heading.
 double place_error(const BallPlace& place) {
   if (std::isnan(place.bearing)) return std::abs(place.seen_distance - place.distance);
-  const double turn = std::remainder(place.seen_bearing - place.bearing, 2 * std::numbers::pi);
+  const double turn = wrapped(place.seen_bearing - place.bearing);
   const double chord = 2 * std::sin(turn / 2);
   return std::sqrt(std::pow(place.seen_distance - place.distance, 2) +
                    place.seen_distance * place.distance * chord * chord);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <tuple>
 #include <utility>
 
 #include "robot/fit/ball_noise/true_path.h"
+#include "robot/fit/math/angles.h"
 
 namespace robot::fit {
 namespace {
@@ -105,7 +105,7 @@ class BallPlacer {
     place.distance = std::hypot(to_x, to_y);
     if (place.distance < kLeastTrueDistance) return false;
     const double ux = to_x / place.distance, uy = to_y / place.distance;
-    place.bearing = std::remainder(std::atan2(to_y, to_x) - own->heading, 2 * std::numbers::pi);
+    place.bearing = wrapped(std::atan2(to_y, to_x) - own->heading);
     place.away = ball->speed_x * ux + ball->speed_y * uy;
     place.across = ball->speed_y * ux - ball->speed_x * uy;
     place.acceleration = ball->bend;

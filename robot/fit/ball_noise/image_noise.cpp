@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "robot/fit/ball_noise/profile.h"
+#include "robot/fit/math/angles.h"
 
 namespace robot::fit {
 namespace {
@@ -54,7 +55,7 @@ ImageError error_of(const BallPlace& place, std::size_t index, double height, Im
                    .standing = place.gait == Gait::standing,
                    .distance = place.distance,
                    .elevation = elevation_at(place.seen_distance, height) - elevation_at(place.distance, height),
-                   .bearing = std::remainder(place.seen_bearing - place.bearing, 2 * std::numbers::pi),
+                   .bearing = wrapped(place.seen_bearing - place.bearing),
                    .of_elevation = std::hypot(per_metre * place.deviation, elevation_by_clock),
                    .of_bearing = std::hypot(heading, bearing_by_clock)};
   const bool is_close = per_metre * place.deviation > kMostKnown, turns = bearing_by_clock > kMostByClock;

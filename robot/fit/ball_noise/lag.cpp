@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "robot/fit/ball_noise/profile.h"
+#include "robot/fit/math/angles.h"
 
 namespace robot::fit {
 namespace {
@@ -33,9 +33,7 @@ struct LyingErrors {
   double of_elevation = 0, of_bearing = 0;  // [rad] robust standard deviations
 };
 
-double bearing_error(const BallPlace& place) {
-  return std::remainder(place.seen_bearing - place.bearing, 2 * std::numbers::pi);
-}
+double bearing_error(const BallPlace& place) { return wrapped(place.seen_bearing - place.bearing); }
 
 double elevation_error(const BallPlace& place, double height) {
   return elevation_at(place.seen_distance, height) - elevation_at(place.distance, height);

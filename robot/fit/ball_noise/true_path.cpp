@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "robot/fit/math/angles.h"
 #include "robot/fit/math/resampling.h"
 
 namespace robot::fit {
@@ -60,7 +60,7 @@ bool are_even(const lab::Path& path, std::size_t first) {
 }
 
 double turned_between(const lab::PlaceAt& one, const lab::PlaceAt& other) {
-  return std::remainder(other.heading - one.heading, 2 * std::numbers::pi);
+  return wrapped(other.heading - one.heading);
 }
 
 double typical_interval(const lab::Path& path) {
@@ -110,7 +110,7 @@ std::optional<TruePath::Moment> TruePath::at(double seconds) const {
     bend_x += weights.bend * place->x, bend_y += weights.bend * place->y;
     turned += weights.value * turn, moment.turn_rate += weights.rate * turn;
   }
-  moment.heading = std::remainder(first->heading + turned, 2 * std::numbers::pi);
+  moment.heading = wrapped(first->heading + turned);
   moment.bend = 2 * std::hypot(bend_x, bend_y);
   double squares = 0;
   for (auto place = first; place != last; ++place) {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "robot/core/text.h"
 #include "robot/fit/checking/checks.h"
+#include "robot/fit/math/angles.h"
 #include "robot/fit/math/resampling.h"
 #include "sim/statistics/sample.h"
 
@@ -62,7 +62,7 @@ KickNumbers numbers_of(const std::vector<TrackedKick>& kicks, const sim::motion:
   for (const TrackedKick& kick : kicks) {
     distances.push_back(std::min(kick.speed * kick.speed / (2 * deceleration), kMostRanges * kind.range));
     numbers.mean += distances.back() / static_cast<double>(kicks.size());
-    angles.push_back(std::remainder(kick.direction - around, 2 * std::numbers::pi));
+    angles.push_back(wrapped(kick.direction - around));
   }
   numbers.far = sim::statistics::quantile(std::move(distances), kFarQuantile);
   const double middle = lab::median_of(angles);

@@ -103,17 +103,6 @@ double dispersion_of(const std::vector<FallRisk>& robots, double walking, double
   return count > 4 ? std::max(1., sum / (count - 2)) : 1;
 }
 
-double binomial_tail(std::size_t hits, std::size_t cases, double share) {  // P(at least `hits`)
-  double sum = 0;
-  const auto n = static_cast<double>(cases);
-  for (std::size_t i = hits; i <= cases; ++i) {
-    const auto k = static_cast<double>(i);
-    sum += std::exp(std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) + times_log(k, share) +
-                    times_log(n - k, 1 - share));
-  }
-  return sum;
-}
-
 constexpr double kOutlier = 0.02;    // share of times that fit no model: a robot that an assistant picks up
 constexpr double kLongestDown = 60;  // [s] these are equally likely up to here
 constexpr int kMostAttempts = 8;
@@ -179,15 +168,6 @@ GroundTime fit_ground_time(const std::vector<double>& times, const std::vector<s
     if (const double cost = unlikely(found); cost < least) least = cost, best = model_of(found);
   }
   return best;
-}
-
-ShareInterval exact_share(std::size_t hits, std::size_t cases) {
-  constexpr double kTail = 0.025;
-  ShareInterval interval;
-  if (hits > 0) interval.low = crossing(0, 1, [&](double share) { return kTail - binomial_tail(hits, cases, share); });
-  if (hits < cases)
-    interval.high = crossing(0, 1, [&](double share) { return 1 - kTail - binomial_tail(hits + 1, cases, share); });
-  return interval;
 }
 
 }  // namespace robot::fit

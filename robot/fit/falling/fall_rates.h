@@ -42,10 +42,4 @@ GroundTime fit_ground_time(const std::vector<double>& times, const std::vector<s
 /// Returns the density of a time on the ground [1/s].
 double density_of(const GroundTime& model, double time);
 
-/// The probabilities that `hits` of `cases` do not contradict (Clopper and Pearson 1934).
-struct ShareInterval {
-  double low = 0, high = 1;  // 95 %
-};
-ShareInterval exact_share(std::size_t hits, std::size_t cases);
-
 }  // namespace robot::fit

@@ -5,6 +5,7 @@
 
 #include "robot/core/text.h"
 #include "robot/fit/falling/fall_page.h"
+#include "robot/fit/math/counts.h"
 #include "robot/fit/math/resampling.h"
 #include "sim/statistics/sample.h"
 
@@ -132,7 +133,7 @@ void add_phases(const FallsSeen& seen, Report& report) {
         formatted("falls.failure: expected at least %zu attempts to get up, got %zu", kFewestTimes, phases.attempts));
     return;
   }
-  const ShareInterval interval = exact_share(phases.failures, phases.attempts);
+  const CountInterval interval = exact_share(phases.failures, phases.attempts);
   report.figures.push_back(
       {.name = "falls.failure",
        .unit = "",
@@ -173,7 +174,7 @@ std::optional<GroundTime> add_times(const FallsSeen& seen, const std::vector<dou
   std::size_t attempts = 0;
   for (const double time : times)
     attempts += static_cast<std::size_t>(std::clamp(std::lround(time / model.attempt), 1L, 8L));
-  const ShareInterval share = exact_share(attempts - times.size(), attempts);
+  const CountInterval share = exact_share(attempts - times.size(), attempts);
   const Domain domain{
       .quantity = "time on the ground", .unit = "s", .from = std::ranges::min(times), .to = std::ranges::max(times)};
   report.figures.push_back({.name = "falls.down",

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "proto/foresight/motion.pb.h"
+#include "robot/fit/math/angles.h"
 #include "robot/fit/mean_path.h"
 #include "robot/logging/sessions/read_all.h"
 
@@ -97,7 +97,7 @@ std::optional<bool> walks_at(const MeanPath& path, double at) {
   if (!now || !before) return std::nullopt;
   const double way = std::hypot(now->x - before->x, now->y - before->y);
   if (way > kCarried) return std::nullopt;
-  const double turn = std::abs(std::remainder(now->heading - before->heading, 2 * std::numbers::pi));
+  const double turn = std::abs(wrapped(now->heading - before->heading));
   return way > kStands || turn > kTurns;  // a turn of NaN does not count
 }
 

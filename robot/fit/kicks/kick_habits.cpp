@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/fit/math/counts.h"
 #include "robot/fit/math/resampling.h"
 #include "sim/statistics/sample.h"
 
@@ -38,12 +39,10 @@ void add_duration(const KickFit& fit, std::vector<Figure>& figures) {
 }
 
 void add_misses(const KickFit& fit, std::vector<Figure>& figures) {
-  const auto count = static_cast<double>(fit.kicks.size() + fit.missed);
-  const double share = static_cast<double>(fit.missed) / count, square = kNormal * kNormal / count;
-  const double middle = (share + square / 2) / (1 + square);
-  const double half = kNormal / (1 + square) * std::sqrt(share * (1 - share) / count + square / (4 * count));
+  const auto count = static_cast<double>(fit.kicks.size() + fit.missed), missed = static_cast<double>(fit.missed);
+  const CountInterval interval = wilson_interval(missed / count, count, kNormal);
   Figure figure = habit(fit, "missed", "", fit.kicks.size() + fit.missed);
-  figure.value = share, figure.low = std::min(share, middle - half), figure.high = std::max(share, middle + half);
+  figure.value = missed / count, figure.low = interval.low, figure.high = interval.high;
   figures.push_back(std::move(figure));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/fit/math/angles.h"
 #include "robot/fit/math/simplex.h"
 
 namespace robot::fit {
@@ -65,7 +66,7 @@ double KickModel::density(const TrackedKick& kick, double spread, double slowest
   const double square = kick.speed * kick.speed / (speed * speed);
   const double sigma = std::hypot(range_deviation, 2 * kick.speed_deviation / speed);
   const auto direction_density = [&](double factor) {
-    return normal(std::remainder(kick.direction - direction, 2 * std::numbers::pi),
+    return normal(wrapped(kick.direction - direction),
                   std::hypot(factor * direction_deviation, kick.direction_deviation));
   };
   const double full = normal(square - 1, sigma) * 2 * kick.speed / (speed * speed) * direction_density(1);

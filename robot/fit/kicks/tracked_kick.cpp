@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "robot/fit/math/angles.h"
 #include "robot/fit/math/least_squares.h"
 
 namespace robot::fit {
@@ -111,8 +111,6 @@ bool is_moving_before(const std::vector<lab::PlaceAt>& balls, double begin, doub
   }
   return std::hypot(x, y) > 0.02 + 3 * deviation * std::sqrt(2. / static_cast<double>(half));
 }
-
-double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 }  // namespace
 

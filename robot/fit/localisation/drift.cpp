@@ -1,5 +1,7 @@
 #include "robot/fit/localisation/drift.h"
 
+#include "robot/fit/math/angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -7,9 +7,9 @@
 
 #include "proto/foresight/sim.pb.h"
 #include "robot/core/text.h"
-#include "robot/fit/localisation/event_counts.h"
 #include "robot/fit/localisation/pose_pictures.h"
 #include "robot/fit/localisation/variance_parts.h"
+#include "robot/fit/math/counts.h"
 #include "robot/lab/clocks/belief_error.h"
 #include "robot/logging/sessions/read_all.h"
 
@@ -101,10 +101,10 @@ void add_flip_rate(const PoseErrors& poses, Report& report) {
     return;
   }
   const auto seen = static_cast<std::size_t>(std::ranges::count_if(poses.flips, &PoseFlip::seen_begin));
-  const CountInterval count = mean_count(seen);
+  const CountInterval count = poisson_interval(seen);
   report.figures.push_back({.name = name,
                             .unit = "1/min",
-                            .value = count.value / minutes,
+                            .value = static_cast<double>(seen) / minutes,
                             .low = count.low / minutes,
                             .high = count.high / minutes,
                             .events = seen,
@@ -136,7 +136,7 @@ void add_flip_duration(const PoseErrors& poses, Report& report) {
     report.needs.push_back(need_of(name, "flips", ended, kFewestFlips, "record whole games: a pose flips seldom"));
     return;
   }
-  const CountInterval mean = mean_duration(ended, total);
+  const MeanDuration mean = mean_duration(ended, total);
   report.figures.push_back({.name = name,
                             .unit = "s",
                             .value = mean.value,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "robot/fit/math/angles.h"
 #include "sim/perception/localisation.h"
 
 namespace robot::fit {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "robot/fit/math/angles.h"
 #include "robot/fit/math/resampling.h"
 
 namespace robot::fit {

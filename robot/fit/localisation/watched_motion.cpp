@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "proto/foresight/camera.pb.h"
 #include "proto/foresight/game.pb.h"
 #include "proto/foresight/motion.pb.h"
 #include "proto/foresight/pose.pb.h"
+#include "robot/fit/math/angles.h"
 #include "robot/logging/sessions/read_all.h"
 
 namespace robot::fit {
@@ -134,8 +134,6 @@ void order_by_time(std::vector<Item>& items) {
 }
 
 }  // namespace
-
-double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 std::vector<TrueMoment> true_moments(const lab::Path& own, const lab::TruthRecord& record) {
   OtherRobots others(record);

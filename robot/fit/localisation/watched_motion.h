@@ -104,7 +104,4 @@ const Item* latest(const std::vector<Item>& items, double at, std::size_t& index
   return index == 0 ? nullptr : &items[index - 1];
 }
 
-/// Returns the angle in [-π, π].
-double wrapped(double angle);
-
 }  // namespace robot::fit

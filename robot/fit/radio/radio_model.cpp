@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "robot/fit/math/counts.h"
 #include "robot/fit/math/resampling.h"
 
 namespace robot::fit {
@@ -78,12 +79,8 @@ Bounded fit_share(const std::vector<Shared>& groups) {
   double n = share > 0 && share < 1 ? cases : static_cast<double>(groups.size());
   if (deviation > 0) n = std::min(n, share * (1 - share) / (deviation * deviation));
   const double z = two_sided(std::max<std::size_t>(2, groups.size() - 1));
-  const double middle = (share + z * z / (2 * n)) / (1 + z * z / n);
-  const double half = z / (1 + z * z / n) * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
-  // at the ends the formula leaves a rest of rounding
-  return {.value = share,
-          .low = share > 0 ? std::max(0., middle - half) : 0,
-          .high = share < 1 ? std::min(1., middle + half) : 1};
+  const CountInterval interval = wilson_interval(share, n, z);
+  return {.value = share, .low = interval.low, .high = interval.high};
 }
 
 double delay_score(double mean, double seconds) {

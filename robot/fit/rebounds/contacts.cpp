@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "robot/fit/math/angles.h"
 #include "robot/fit/math/resampling.h"
 #include "sim/statistics/sample.h"
 
@@ -65,8 +65,6 @@ bool is_alone(const Touch& touch) {
   return touch.near.size() < 2 || std::hypot(touch.near[1].x - touch.x, touch.near[1].y - touch.y) > kOtherRobot;
 }
 
-double wrapped_turn(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
-
 std::optional<Push> push_of(const Touch& touch, const ContactFacts& facts) {
   if (touch.near.empty() || !is_alone(touch) || touch.near[0].fallen) return std::nullopt;
   const Toucher& robot = touch.near[0];
@@ -90,7 +88,7 @@ std::optional<Push> push_of(const Touch& touch, const ContactFacts& facts) {
               .own = own,
               .in = in,
               .speed = speed,
-              .turn = wrapped_turn(std::atan2(touch.after_y, touch.after_x) - std::atan2(y, x)),
+              .turn = wrapped(std::atan2(touch.after_y, touch.after_x) - std::atan2(y, x)),
               .deviation = std::hypot(touch.after_deviation / speed, touch.before_deviation / expected,
                                       of_robot * std::abs(std::sin(aside)) / expected),
               .lever = gain * std::abs(std::cos(aside)) / expected,

@@ -1,5 +1,7 @@
 #include "robot/fit/visibility/along.h"
 
+#include "robot/fit/math/angles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +25,7 @@ std::optional<lab::PlaceAt> Along::at(double seconds) {
   if (!(gap <= lab::SmoothCurve::kLongestGap)) return std::nullopt;
   if (std::hypot(after.x - before.x, after.y - before.y) > std::max(kPut, fastest_ * gap)) return std::nullopt;
   const double part = (seconds - before.at) / gap;
-  const double turn = std::remainder(after.heading - before.heading, 2 * M_PI);
+  const double turn = wrapped(after.heading - before.heading);
   return lab::PlaceAt{.at = seconds,
                       .x = before.x + part * (after.x - before.x),
                       .y = before.y + part * (after.y - before.y),

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "robot/core/text.h"
-#include "robot/fit/visibility/poisson.h"
+#include "robot/fit/math/angles.h"
+#include "robot/fit/math/counts.h"
 
 namespace robot::fit {
 namespace {
@@ -27,7 +28,7 @@ double noticed_share(const Look& look, const SightCounts& places, double far_ran
   const double low = std::max(kNearestFalse, look.nearest), high = std::min(far_range, look.farthest);
   const double whole = far_range - kNearestFalse;
   if (!(high > low) || !(whole > 0) || !(look.width > 0)) return 0;
-  const double off = std::remainder(places.bearing - look.axis, 2 * M_PI);
+  const double off = wrapped(places.bearing - look.axis);
   const double beside = overlap(off - places.reach, off + places.reach, -look.width / 2, look.width / 2) / look.width;
   const double along = overlap(places.nearest, places.farthest, low, high);
   return (high - low - beside * along) / whole;
@@ -74,7 +75,7 @@ Table table_of(const FalseBalls& found, const std::vector<std::string>& recordin
 Figure rate_of(const FalseBalls& found, const Looks& looks, const sim::Models& base) {
   const auto all = static_cast<double>(found.balls.size());
   const auto groups = static_cast<std::size_t>(std::ranges::count(found.balls, true, &FalseBall::first));
-  const MeanInterval mean = poisson_interval(groups);
+  const CountInterval mean = poisson_interval(groups);
   const double each = (groups == 0 ? 1 : all / static_cast<double>(groups)) / found.exposure;
   const double value = all / found.exposure;
   return {.name = "ball_filter.false_per_second",

@@ -8,6 +8,7 @@
 
 #include "proto/foresight/vision.pb.h"
 #include "robot/core/text.h"
+#include "robot/fit/math/angles.h"
 #include "robot/fit/visibility/along.h"
 #include "robot/fit/visibility/view.h"
 #include "robot/logging/sessions/read_all.h"
@@ -117,7 +118,7 @@ class Watch {
   void take_truth(const lab::PlaceAt& own, const lab::PlaceAt& ball, std::uint64_t capture_ns, Look& look) {
     const double x = ball.x - own.x, y = ball.y - own.y;
     look.distance = std::hypot(x, y);
-    look.bearing = std::remainder(std::atan2(y, x) - own.heading, 2 * M_PI);
+    look.bearing = wrapped(std::atan2(y, x) - own.heading);
     const auto past = ball_.at(look.at - kSettled);
     const double speed = std::hypot(ball.x - past->x, ball.y - past->y) / kSettled;
     const double latency = base_.effects.latency ? base_.perception.camera.latency : 0;
@@ -131,7 +132,7 @@ class Watch {
     const auto from = own_.at(own.at - kHalfWindow), to = own_.at(own.at + kHalfWindow);
     if (!from || !to) return true;
     return std::hypot(to->x - from->x, to->y - from->y) > kWalked ||
-           std::abs(std::remainder(to->heading - from->heading, 2 * M_PI)) > kTurned;
+           std::abs(wrapped(to->heading - from->heading)) > kTurned;
   }
 
   void take_views(const View* top, const View* bottom, Look& look) const {

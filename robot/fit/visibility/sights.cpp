@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/fit/math/angles.h"
 #include "robot/lab/clocks/series.h"
 
 namespace robot::fit {
@@ -58,8 +59,7 @@ SightNoise noise_of(const Looks& looks, const sim::Models& base) {
     if (!look.has_ball || std::min(look.across, look.upright) < 0 || look.hiding != Hiding::free) continue;
     if (look.distance > kNearBall || look.distance < look.height / 2) continue;
     const double seen = std::hypot(look.seen_x, look.seen_y);
-    bearings[look.recording].push_back(
-        std::abs(std::remainder(std::atan2(look.seen_y, look.seen_x) - look.bearing, 2 * M_PI)));
+    bearings[look.recording].push_back(std::abs(wrapped(std::atan2(look.seen_y, look.seen_x) - look.bearing)));
     elevations[look.walking].push_back(
         std::abs(std::atan2(look.height, seen) - std::atan2(look.height, look.distance)));
     placed[look.walking].push_back(placed_elevation(look));
@@ -80,8 +80,7 @@ SightNoise noise_of(const Looks& looks, const sim::Models& base) {
 
 bool SightCounts::contain(double x, double y) const {
   const double range = std::hypot(x, y);
-  return range >= nearest && range <= farthest &&
-         std::abs(std::remainder(std::atan2(y, x) - bearing, 2 * M_PI)) <= reach;
+  return range >= nearest && range <= farthest && std::abs(wrapped(std::atan2(y, x) - bearing)) <= reach;
 }
 
 SightCounts ball_places(const Look& look, const SightNoise& noise) {
@@ -115,7 +114,7 @@ Sights sights_of(const Looks& looks, const sim::Models& base) {
       found.sights.push_back({.recording = look.recording,
                               .at = look.at,
                               .distance = look.distance,
-                              .off_axis = std::abs(std::remainder(look.bearing - look.axis, 2 * M_PI)),
+                              .off_axis = std::abs(wrapped(look.bearing - look.axis)),
                               .head_speed = look.head_speed,
                               .hidden = look.hiding == Hiding::hidden,
                               .seen = is_true_ball(look, noise),

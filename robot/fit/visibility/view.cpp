@@ -1,5 +1,7 @@
 #include "robot/fit/visibility/view.h"
 
+#include "robot/fit/math/angles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +33,7 @@ View::Inside View::inside(double point_x, double point_y, double point_z) const 
   const double to_right = r[0] * px + r[3] * py + r[6] * pz;
   const double below = r[1] * px + r[4] * py + r[7] * pz;
   const double ahead = r[2] * px + r[5] * py + r[8] * pz;
-  const double off = std::remainder(std::atan2(py, px) - bearing, 2 * M_PI);
+  const double off = wrapped(std::atan2(py, px) - bearing);
   const double depression = std::atan2(-pz, std::hypot(px, py));
   return {.across = std::min(way_inside(std::atan2(to_right, ahead), left, right), way_inside(-off, left, right)),
           .upright = std::min(way_inside(std::atan2(below, ahead), up, down), way_inside(depression - tilt, up, down))};

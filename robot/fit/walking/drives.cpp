@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "robot/fit/math/angles.h"
 #include "robot/fit/math/resampling.h"
 #include "robot/fit/walking/mean_walk.h"
 #include "sim/math/tick.h"
@@ -23,8 +23,6 @@ constexpr double kIdleKept = 2;                                // [s] of standin
 constexpr double kBeforeDisturbed = 0.1, kAfterDisturbed = 1;  // [s] around a disturbed moment
 constexpr double kCarried = 0.3;                               // [m] between two places: the robot was carried
 constexpr std::size_t kScatterSamples = 20'000;
-
-double wrapped_angle(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 /// Returns the scatter of values about lines through their neighbours, one standard deviation.
 double line_scatter_of(std::vector<double> second_differences) {
@@ -117,7 +115,7 @@ std::optional<Drive> drive_in(const std::vector<TimedCommand>& commands, const l
     if (pose.tick > ticks) break;
     if (!drive.poses.empty()) {
       const double before = drive.poses.back().heading;
-      pose.heading = before + wrapped_angle(pose.heading - before);
+      pose.heading = before + wrapped(pose.heading - before);
     }
     drive.poses.push_back(pose);
   }
@@ -155,7 +153,7 @@ void measure_scatter(const std::vector<const lab::Path*>& paths, Drives& drives)
       if (second > lab::SmoothCurve::kLongestGap || std::abs(first - second) > 0.2 * first) continue;
       places.push_back(a.x - 2 * b.x + c.x);
       places.push_back(a.y - 2 * b.y + c.y);
-      const double turn = wrapped_angle(c.heading - b.heading) - wrapped_angle(b.heading - a.heading);
+      const double turn = wrapped(c.heading - b.heading) - wrapped(b.heading - a.heading);
       if (std::isfinite(turn)) headings.push_back(turn);
     }
   drives.place_deviation = std::max(0.0005, line_scatter_of(std::move(places)));

@@ -208,14 +208,6 @@ TEST(GroundTime, OneAttemptAndTheirFailures) {
   EXPECT_NEAR(model.deviation, 0.15, 0.04);
 }
 
-TEST(ExactShare, TheIntervalOfClopperAndPearson) {
-  EXPECT_EQ(exact_share(0, 10).low, 0);
-  EXPECT_NEAR(exact_share(0, 10).high, 0.3085, 1e-4);
-  EXPECT_NEAR(exact_share(5, 10).low, 0.1871, 1e-4);
-  EXPECT_NEAR(exact_share(5, 10).high, 0.8129, 1e-4);
-  EXPECT_EQ(exact_share(10, 10).high, 1);
-}
-
 const Figure* fall_figure(const Report& report, const std::string& name) {
   const auto found = std::ranges::find(report.figures, name, &Figure::name);
   return found == report.figures.end() ? nullptr : &*found;

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "robot/fit/math/angles.h"
 #include "tests/support/planted_poses.h"
 #include "tests/support/simulated_robots.h"
 #include "tests/support/temporary_folder.h"

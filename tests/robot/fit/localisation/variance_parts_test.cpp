@@ -5,8 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "robot/fit/localisation/event_counts.h"
-
 namespace robot::fit {
 namespace {
 
@@ -80,21 +78,6 @@ TEST(VarianceParts, FewErrorsHaveARelativeInterval) {
     EXPECT_GT(root.low, 0);
   }
   EXPECT_GE(covered, 18);
-}
-
-TEST(EventCounts, IntervalsAreThoseOfTheTables) {
-  EXPECT_EQ(mean_count(0).low, 0);
-  EXPECT_NEAR(mean_count(0).high, 3.689, 0.001);
-  EXPECT_NEAR(mean_count(10).low, 4.795, 0.001);
-  EXPECT_NEAR(mean_count(10).high, 18.39, 0.01);
-  EXPECT_NEAR(mean_count(400).low, 361, 1);
-}
-
-TEST(EventCounts, ADurationCountsThoseThatWereCutOff) {
-  const CountInterval mean = mean_duration(10, 150);
-  EXPECT_EQ(mean.value, 15);
-  EXPECT_NEAR(mean.low, 8.16, 0.01);
-  EXPECT_NEAR(mean.high, 31.3, 0.1);
 }
 
 }  // namespace

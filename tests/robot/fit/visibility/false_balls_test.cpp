@@ -5,24 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/fit/visibility/poisson.h"
+#include "robot/fit/math/counts.h"
 #include "tests/support/planted_looks.h"
 
 namespace robot::fit {
 namespace {
 
 using tests::planted_base, tests::planted_looks;
-
-TEST(PoissonInterval, IsThatOfGarwood) {
-  EXPECT_EQ(poisson_interval(0).low, 0);
-  EXPECT_NEAR(poisson_interval(0).high, 3.689, 0.001);
-  EXPECT_NEAR(poisson_interval(1).low, 0.0253, 0.0001);
-  EXPECT_NEAR(poisson_interval(1).high, 5.572, 0.001);
-  EXPECT_NEAR(poisson_interval(10).low, 4.795, 0.001);
-  EXPECT_NEAR(poisson_interval(10).high, 18.39, 0.01);
-  EXPECT_NEAR(poisson_interval(1000).low, 939, 1);
-  EXPECT_NEAR(poisson_interval(1000).high, 1064, 1);
-}
 
 TEST(FalseBalls, IntervalsCoverThePlantedRateAndItIsNotBiased) {
   int covered = 0;
