@@ -116,7 +116,9 @@ void SimBody::play_due_ticks() {
     if (last || pacer_.speed() <= kEachTickShownUpTo) show(due_ns);
   }
   const bool each = pacer_.speed() <= kEachTickShownUpTo;
-  wake_ns_ = std::max(pacer_.next_ns(), each ? monotonic_ns() + kBreathNs : now_ns + kShowPeriodNs);
+  // also when the machine is too slow for the speed: others need the lock, to pause the game for instance
+  wake_ns_ = std::max(pacer_.next_ns(), monotonic_ns() + kBreathNs);
+  if (!each) wake_ns_ = std::max(wake_ns_, now_ns + kShowPeriodNs);
   if (game_.finished()) wake_ns_ = monotonic_ns() + options_.rest_ns;
 }
 
