@@ -30,7 +30,7 @@ float goal_delay_of(const std::vector<logging::Recorded<foresight::Simulation>>&
 std::map<std::string, foresight::ForecastScore> score_forecasts(const logging::Session& session) {
   constexpr std::string_view kForecast = "/forecast";
   std::map<std::string, foresight::ForecastScore> scores;
-  auto simulations = logging::read_all<foresight::Simulation>(session, bridge::kSimulationTopic);
+  auto simulations = logging::read_all<foresight::Simulation>(session, memory::kSimulationTopic);
   const float goal_delay = goal_delay_of(simulations);
   std::ranges::stable_sort(simulations, {}, &logging::Recorded<foresight::Simulation>::capture_ns);
   for (const logging::StreamFile& file : session.streams) {

@@ -31,7 +31,7 @@ Result<void> take_over(logging::InProvider& stream, const std::string& topic, st
 
 /// Returns the topics that a question about `robot` needs.
 std::vector<std::string> topics_of(const std::string& robot) {
-  std::vector<std::string> topics{bridge::kSimulationTopic};
+  std::vector<std::string> topics{memory::kSimulationTopic};
   const bridge::Recollection none;
   bridge::Recollection::visit(none, [&](const char* name, const auto&) { topics.push_back("/" + robot + "/" + name); });
   return topics;

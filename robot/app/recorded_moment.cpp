@@ -17,7 +17,7 @@ Result<std::uint64_t> time_in(const logging::Session& session, double at) {
 
 foreseeing::GameSetting recorded_setting(const logging::Session& session, const std::string& robot,
                                          const std::string& rules) {
-  const auto simulations = logging::read_in_order<foresight::Simulation>(session, bridge::kSimulationTopic);
+  const auto simulations = logging::read_in_order<foresight::Simulation>(session, memory::kSimulationTopic);
   return foreseeing::setting_of(simulations.empty() ? nullptr : &simulations.front().value, robot, rules);
 }
 

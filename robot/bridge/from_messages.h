@@ -72,11 +72,9 @@ std::optional<Remembered<Message>> newest(const memory::Channels& channels, cons
   return message;
 }
 
-inline constexpr const char* kSimulationTopic = "/sim/state";
-
 /// Returns the state of a live or recorded simulation, or nothing when the game is not simulated.
 inline std::optional<Remembered<pb::Simulation>> simulation_of(const memory::Channels& channels) {
-  return newest<pb::Simulation>(channels, kSimulationTopic);
+  return newest<pb::Simulation>(channels, memory::kSimulationTopic);
 }
 
 /// Returns the moment `now_ns` with the speed of the simulation, or speed 1 without a simulation.

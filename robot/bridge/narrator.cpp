@@ -102,7 +102,7 @@ void Narrator::write(const SimulatedGame& game, const Timeline& timeline) {
 
 /// Writes the camera and its percepts, if the robot took an image.
 void Narrator::write_image(const SimulatedGame& game, int robot, std::uint64_t capture_ns) {
-  const SimulatedImage& image = game.image(robot);
+  const SimulatedImage image = game.image(robot);
   if (!image.taken) return;
   const sim::Models& own = sim::models_of(game.params(), robot);
   memory::Memory& memory = *memories_[static_cast<std::size_t>(robot)];

@@ -27,7 +27,7 @@ void SimulatedGame::go_to(const Moment& moment) {
   state_ = moment.state;
   odometry_ = moment.odometry;
   for (sim::agent::Trace& decision : decisions_) decision.clear();
-  images_ = {};
+  seen_.reset();
 }
 
 void SimulatedGame::follow(int robot, const sim::agent::Choice& choice) {
@@ -36,11 +36,10 @@ void SimulatedGame::follow(int robot, const sim::agent::Choice& choice) {
 
 void SimulatedGame::tick(sim::referee::Events& events) {
   for (sim::agent::Trace& decision : decisions_) decision.clear();
-  const sim::World before = sim::between_turns(state_);
-  look(before);
+  seen_ = sim::between_turns(state_);
   sim::step(params_, state_, events, sim::kEverybody, decisions_.data());
   const sim::World after = sim::between_turns(state_);
-  sim::for_each_robot(state_.world.players, [&](int robot) { walk(before, after, robot); });
+  sim::for_each_robot(state_.world.players, [&](int robot) { walk(*seen_, after, robot); });
 }
 
 bool SimulatedGame::finished() const { return sim::finished(state_); }
@@ -48,12 +47,6 @@ bool SimulatedGame::finished() const { return sim::finished(state_); }
 const sim::agent::Trace* SimulatedGame::decision(int robot) const {
   const sim::agent::Trace& decision = decisions_[static_cast<std::size_t>(robot)];
   return *decision.skill == '\0' ? nullptr : &decision;
-}
-
-/// Takes the images of all robots.
-void SimulatedGame::look(const sim::World& world) {
-  sim::for_each_robot(world.players,
-                      [&](int robot) { images_[static_cast<std::size_t>(robot)] = image_of(params_, world, robot); });
 }
 
 /// Adds the walk of this tick, with the errors of the robot's odometry.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "robot/bridge/simulated_vision.h"
@@ -63,8 +64,9 @@ class SimulatedGame {
   /// reasons.
   const sim::agent::Trace* decision(int robot) const;
 
-  /// Returns the image that the robot took at the begin of the last tick. Without a tick there is none.
-  const SimulatedImage& image(int robot) const { return images_[static_cast<std::size_t>(robot)]; }
+  /// Returns the image that the robot took at the begin of the last tick. Without a tick there is none. Costs some microseconds,
+  /// which only recordings pay.
+  SimulatedImage image(int robot) const { return seen_ ? image_of(params_, *seen_, robot) : SimulatedImage{}; }
 
   /// Returns the path that the robot believes to have walked since the state was set. It has the errors of the model's
   /// localisation: the robot's scales, and random ones. Places at which the referee puts the robot are no part of it.
@@ -72,14 +74,13 @@ class SimulatedGame {
   const sim::Pose2& odometry(int robot) const { return odometry_[static_cast<std::size_t>(robot)]; }
 
  private:
-  void look(const sim::World& world);
   void walk(const sim::World& before, const sim::World& after, int robot);
 
   const sim::Params& params_;
   const GameNames names_;
   sim::State state_;
   std::array<sim::agent::Trace, sim::kMaxRobots> decisions_;
-  std::array<SimulatedImage, sim::kMaxRobots> images_;
+  std::optional<sim::World> seen_;  // at the begin of the last tick
   std::array<sim::Pose2, sim::kMaxRobots> odometry_;
 };
 

@@ -14,8 +14,6 @@
 namespace robot::fit {
 namespace {
 
-constexpr const char* kSimulationTopic = "/sim/state";
-
 /// A recording of ground truth with its session, for the comparison of clocks.
 struct TruthSession {
   logging::Session session;
@@ -72,7 +70,7 @@ void take(const std::string& name, const logging::Session& session, Result<Watch
 
 /// Reports whether a recording is a simulated game whose robots moved in longer pieces (Simulation::thinned).
 bool is_thinned(const logging::Session& session) {
-  const auto file = std::ranges::find(session.streams, kSimulationTopic, &logging::StreamFile::topic);
+  const auto file = std::ranges::find(session.streams, memory::kSimulationTopic, &logging::StreamFile::topic);
   if (file == session.streams.end()) return false;
   const auto stream = logging::provider_of(session, *file);
   if (!stream->open()) return false;

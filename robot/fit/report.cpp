@@ -74,6 +74,11 @@ bool Results::has_words(std::size_t column) const {
   return !first.empty() && std::isalpha(static_cast<unsigned char>(first.front())) != 0;
 }
 
+const Figure* Report::figure(const std::string& figure_name) const {
+  const auto found = std::ranges::find(figures, figure_name, &Figure::name);
+  return found == figures.end() ? nullptr : &*found;
+}
+
 Need need_of(const Figure& figure, double wanted, const std::string& advice) {
   const double half = (figure.high - figure.low) / 2;
   const auto enough = static_cast<std::size_t>(

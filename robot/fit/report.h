@@ -86,6 +86,8 @@ struct Report {
 
   /// Reports whether nothing could be fitted.
   bool empty() const { return figures.empty(); }
+  /// Returns the figure with that name, or null.
+  const Figure* figure(const std::string& figure_name) const;
 };
 
 /// Formats a picture for a terminal.

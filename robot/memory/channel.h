@@ -51,8 +51,9 @@ struct ObjectName {
 /// Returns the name of the object of `topic`. The parts point into `topic`.
 ObjectName object_name(std::string_view topic);
 
-/// The topic of ground truth, which belongs to no robot.
+/// The topics of ground truth and of a simulation's state, which belong to no robot.
 inline constexpr const char* kTruthTopic = "/truth/world";
+inline constexpr const char* kSimulationTopic = "/sim/state";
 
 /// The number of a version, and the time when it entered memory, in the process that it comes from.
 struct Published {

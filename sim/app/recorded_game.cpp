@@ -28,7 +28,7 @@ constexpr auto kRate = static_cast<std::uint64_t>(kTicksPerSecond);
 constexpr std::uint32_t kMostPlayers = 20;
 
 std::optional<pb::Simulation> simulation_of(const Session& session) {
-  const auto all = robot::logging::read_all<pb::Simulation>(session, robot::bridge::kSimulationTopic);
+  const auto all = robot::logging::read_all<pb::Simulation>(session, robot::memory::kSimulationTopic);
   if (all.empty()) return {};
   return all.front().value;
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMostLatency = 0.1;     // [s] of the model
 constexpr double kWidestLatency = 0.02;  // [s] half an interval that is worth more than an estimate
 constexpr double kWantedLatency = 0.01;  // [s]
-constexpr std::size_t kLagPassesWanted = 20, kMostRollDots = 1500;
+constexpr std::size_t kLagPassesWanted = 20;
 constexpr double kSpeedBin = 0.2;  // [m/s]
 const char* const kLatencyAdvice = "balls that roll at 0.5 m/s or more past a robot, beside a truth with headings";
 
@@ -113,11 +113,10 @@ Mark medians_over_speed(const LagFit& fit, const std::vector<BallPlace>& places)
 
 Picture latency_picture(const LagFit& fit, const std::vector<BallPlace>& places, double before) {
   Mark dots{.shape = Mark::Shape::dots, .role = Mark::Role::robot, .label = "percept"};
-  const std::size_t stride = 1 + fit.images.size() / kMostRollDots;
-  for (std::size_t i = 0; i < fit.images.size(); i += stride) {
-    if (std::isnan(fit.images[i].along)) continue;
-    dots.x.push_back(places[fit.images[i].place].speed());
-    dots.y.push_back(fit.images[i].along);
+  for (const auto& image : fit.images) {
+    if (std::isnan(image.along)) continue;
+    dots.x.push_back(places[image.place].speed());
+    dots.y.push_back(image.along);
   }
   const double reach = 0.2 + 0.2 * fit.fastest;
   return {

@@ -11,18 +11,14 @@
 namespace robot::fit {
 namespace {
 
-constexpr std::size_t kMostDots = 1500;  // of a picture
 constexpr std::size_t kBandPoints = 50;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-/// Returns every so many of the errors that can be drawn on one axis.
+/// Returns the errors with a number on this axis.
 std::vector<const ImageError*> drawn_errors(const ImageNoiseFit& fit, double ImageError::*axis) {
-  std::vector<const ImageError*> usable;
-  for (const ImageError& error : fit.errors)
-    if (!std::isnan(error.*axis)) usable.push_back(&error);
-  const std::size_t stride = 1 + usable.size() / kMostDots;
   std::vector<const ImageError*> drawn;
-  for (std::size_t i = 0; i < usable.size(); i += stride) drawn.push_back(usable[i]);
+  for (const ImageError& error : fit.errors)
+    if (!std::isnan(error.*axis)) drawn.push_back(&error);
   return drawn;
 }
 

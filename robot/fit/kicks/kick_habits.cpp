@@ -29,8 +29,7 @@ void add_duration(const KickFit& fit, std::vector<Figure>& figures) {
   const double middle = sim::statistics::median(fit.durations);
   std::vector<double> apart;
   for (const double duration : fit.durations) apart.push_back(std::abs(duration - middle));
-  const auto count = static_cast<double>(apart.size());
-  const double deviation = 1.25 * kOfMedian * sim::statistics::median(apart) / std::sqrt(count);
+  const double deviation = deviation_of_median(sim::statistics::median(apart), apart.size());
   const double half = std::hypot(two_sided(apart.size() - 1) * deviation, fit.status_step);
   Figure figure = habit(fit, "duration", "s", apart.size());
   figure.value = middle, figure.low = middle - half, figure.high = middle + half;

@@ -136,8 +136,7 @@ Figure delay_of(const KickFit& fit) {
   for (const TrackedKick& kick : fit.kicks) delays.push_back(kick.delay);
   const double middle = lab::median_of(delays);
   for (double& delay : delays) delay = std::abs(delay - middle);
-  // the median of normal errors has 1.25 times the deviation of their mean
-  const double deviation = 1.25 * kOfMedian * lab::median_of(delays) / std::sqrt(static_cast<double>(delays.size()));
+  const double deviation = deviation_of_median(lab::median_of(delays), delays.size());
   return figure_of(fit, {"delay", "s", kWidestDelay, 0}, middle,
                    two_sided(delays.size() - 1) * std::max(deviation, kExactDelay));
 }

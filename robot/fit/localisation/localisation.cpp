@@ -248,7 +248,7 @@ sim::field::Field field_of(const Evidence& evidence) {
   for (const WatchedRobot& robot : evidence.robots) {
     bool found = false;
     logging::read_each<foresight::Simulation>(
-        robot.session, "/sim/state", [&](const foresight::Simulation& simulation, std::uint64_t) {
+        robot.session, memory::kSimulationTopic, [&](const foresight::Simulation& simulation, std::uint64_t) {
           const foresight::Field& read = simulation.field();
           if (found || !(read.length() > 2 && read.width() > 2 && read.length() < 30 && read.width() < 20)) return;
           found = true;

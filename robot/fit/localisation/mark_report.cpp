@@ -22,8 +22,7 @@ constexpr std::size_t kEnoughBlocks = 20, kEnoughWalks = 40;
 /// Sets the fitted events of the report in the models.
 void take_events(const Report& report, sim::perception::Localisation& model) {
   const auto take = [&](const char* name, float& value) {
-    const auto figure = std::ranges::find(report.figures, name, &Figure::name);
-    if (figure != report.figures.end()) value = static_cast<float>(figure->value);
+    if (const Figure* const figure = report.figure(name)) value = static_cast<float>(figure->value);
   };
   take("localisation.start_deviation", model.start_deviation);
   take("localisation.start_deviation_heading", model.start_deviation_heading);

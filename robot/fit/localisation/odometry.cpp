@@ -11,7 +11,7 @@
 namespace robot::fit {
 namespace {
 
-constexpr std::size_t kFewestWindows = 40, kWindowsOfBlock = 20, kMostDriftDots = 600, kOdometryFolds = 5;
+constexpr std::size_t kFewestWindows = 40, kWindowsOfBlock = 20, kOdometryFolds = 5;
 constexpr double kDriftOutlier = 4.5;  // standard deviations: such a window hardly counts
 
 /// A figure of the odometry and the half of the widest useful interval.
@@ -112,16 +112,6 @@ void add_bias_figure(const Drift& drift, const OdometryFit& fit, Report& report)
 
 // --- pictures ---
 
-/// Returns at most kMostDriftDots of the points.
-Mark thinned_dots(Mark mark) {
-  const std::size_t step = mark.x.size() / kMostDriftDots + 1;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < mark.x.size(); i += step) mark.x[kept] = mark.x[i], mark.y[kept++] = mark.y[i];
-  mark.x.resize(kept);
-  mark.y.resize(kept);
-  return mark;
-}
-
 /// The errors of windows over an amount, and their root mean squares in bins of half an octave.
 class DriftGrowth {
  public:
@@ -137,7 +127,7 @@ class DriftGrowth {
   double most() const { return dots_.x.empty() ? 1 : *std::ranges::max_element(dots_.x); }
 
   Mark dots() const {
-    Mark mark = thinned_dots(dots_);
+    Mark mark = dots_;
     mark.label = "a window";
     return mark;
   }

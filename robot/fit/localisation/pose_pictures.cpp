@@ -62,8 +62,8 @@ Mark circle_of(Mark::Role role, const std::string& label, double radius) {
 }
 
 double value_of(const Report& report, const std::string& name) {
-  const auto figure = std::ranges::find(report.figures, name, &Figure::name);
-  return figure == report.figures.end() ? NAN : figure->value;
+  const Figure* const figure = report.figure(name);
+  return figure ? figure->value : NAN;
 }
 
 void add_shift_picture(const std::string& title, const std::vector<PoseShift>& shifts, double fitted, double before,

@@ -7,6 +7,10 @@
 
 namespace robot::fit {
 
+double deviation_of_median(double distance, std::size_t count) {
+  return 1.25 * kOfMedian * distance / std::sqrt(static_cast<double>(count));
+}
+
 Group all_of(std::size_t count) {
   Group all(count);
   std::iota(all.begin(), all.end(), std::size_t{0});

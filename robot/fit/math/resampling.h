@@ -12,6 +12,10 @@ namespace robot::fit {
 /// Standard deviations in the median of absolute normal errors.
 inline constexpr double kOfMedian = 1.4826;
 
+/// Returns one standard deviation of the median of `count` values whose median distance from it is `distance`. For normal errors the
+/// median deviates 1.25 times as much as the mean.
+double deviation_of_median(double distance, std::size_t count);
+
 /// The observations of one pass, roll or kick, by their indices. Observations of one group share their luck, so only whole
 /// groups are resampled.
 using Group = std::vector<std::size_t>;

@@ -110,26 +110,19 @@ void add_paces(const OpponentsSeen& seen, Report& report) {
   const PaceFit fit = fit_paces(tops);
   const auto [slowest, fastest] = std::ranges::minmax_element(tops, {}, &TopSpeed::value);
   const Domain domain{.quantity = "top speed", .unit = "m/s", .from = slowest->value, .to = fastest->value};
-  Figure forward{.name = "walk.forward",
-                 .unit = "m/s",
-                 .value = fit.forward,
-                 .low = fit.forward_low,
-                 .high = fit.forward_high,
-                 .events = tops.size(),
-                 .kind = "robots",
-                 .recordings = seen.recordings,
-                 .domain = domain,
-                 .widest = kWidestForward};
-  Figure spread{.name = "walk.spread",
-                .unit = "",
-                .value = fit.spread,
-                .low = fit.spread_low,
-                .high = fit.spread_high,
-                .events = tops.size(),
-                .kind = "robots",
-                .recordings = seen.recordings,
-                .domain = domain,
-                .widest = kWidestSpread};
+  const auto figure_of = [&](const char* name, const char* unit, double widest) {
+    return Figure{.name = name,
+                  .unit = unit,
+                  .events = tops.size(),
+                  .kind = "robots",
+                  .recordings = seen.recordings,
+                  .domain = domain,
+                  .widest = widest};
+  };
+  Figure forward = figure_of("walk.forward", "m/s", kWidestForward);
+  forward.value = fit.forward, forward.low = fit.forward_low, forward.high = fit.forward_high;
+  Figure spread = figure_of("walk.spread", "", kWidestSpread);
+  spread.value = fit.spread, spread.low = fit.spread_low, spread.high = fit.spread_high;
   for (Figure* figure : {&forward, &spread}) {
     report.needs.push_back(need_of(*figure, figure->widest / 2, "record the truth of more robots"));
     report.figures.push_back(std::move(*figure));

@@ -257,12 +257,12 @@ Report fit_packets(std::vector<TeamRecord> records, const sim::perception::Radio
   radio.step = simulated && !radio.records.empty() ? kTick : 0;
 
   fit_delays(radio, report);
-  const Figure* const delay = radio_figure(report, "radio.delay");
+  const Figure* const delay = report.figure("radio.delay");
   choose_fates(delay ? delay->value : before.delay, radio);
   fit_losses(radio, report);
   fit_interval(radio, report);
 
-  if (const Figure* const fitted = radio_figure(report, "radio.delay"))
+  if (const Figure* const fitted = report.figure("radio.delay"))
     draw_delays(radio, fitted->value, before.delay, report);
   draw_ages(radio, before, report);
   judge_radio(radio, before, report);

@@ -26,9 +26,6 @@ struct RadioEvidence {
 std::vector<std::vector<double>> by_packet(const std::vector<Delay>& delays);
 std::vector<Shared> by_packet(const std::vector<Fate>& fates);
 
-/// Returns the figure of a report, or null.
-const Figure* radio_figure(const Report& report, const std::string& name);
-
 /// Adds the pictures of delays and of ages, beside the models `before`.
 void draw_delays(const RadioEvidence& radio, double fitted, double before, Report& report);
 void draw_ages(const RadioEvidence& radio, const sim::perception::Radio& before, Report& report);

@@ -79,11 +79,6 @@ double oldest_drawn(const AgeCurve& curve) {
 
 }  // namespace
 
-const Figure* radio_figure(const Report& report, const std::string& name) {
-  const auto found = std::ranges::find(report.figures, name, &Figure::name);
-  return found == report.figures.end() ? nullptr : &*found;
-}
-
 void draw_ages(const RadioEvidence& radio, const sim::perception::Radio& before, Report& report) {
   const AgeCurve seen = observed_ages(radio.records);
   if (seen.ages.empty()) return;
@@ -92,7 +87,7 @@ void draw_ages(const RadioEvidence& radio, const sim::perception::Radio& before,
                   .y_label = "time with an older one [%]",
                   .axes = {.left = 0, .right = oldest_drawn(seen), .bottom = 0, .top = 100},
                   .marks = {age_line("robots", Mark::Role::truth, seen)}};
-  const Figure *delay = radio_figure(report, "radio.delay"), *loss = radio_figure(report, "radio.loss");
+  const Figure *delay = report.figure("radio.delay"), *loss = report.figure("radio.loss");
   if (const AgeCurve curve = expected_ages(radio.records, before.delay, before.loss); !curve.ages.empty())
     picture.marks.push_back(age_line("the models before", Mark::Role::other, curve));
   if (delay && loss)

@@ -124,7 +124,7 @@ void judge_radio(const RadioEvidence& radio, const sim::perception::Radio& befor
   Results results{.title = "errors on packets held out: " + parts.text(),
                   .head = {"of", "packets", "fitted", "the models before", "a constant"},
                   .rows = {}};
-  if (radio_figure(report, "radio.delay"))
+  if (report.figure("radio.delay"))
     if (const DelayScores scores = score_delays(radio, parts, before.delay); scores.packets > 0) {
       const auto n = static_cast<double>(scores.packets);
       const auto milliseconds = [n](double sum) { return formatted("%.1f", 1000 * sum / n); };
@@ -132,7 +132,7 @@ void judge_radio(const RadioEvidence& radio, const sim::perception::Radio& befor
                               milliseconds(scores.before), milliseconds(scores.constant)});
       report.scores.emplace_back("delay_crps_s", scores.fitted / n);
     }
-  if (radio_figure(report, "radio.loss"))
+  if (report.figure("radio.loss"))
     if (const LossScores scores = score_losses(radio, parts, before.loss); scores.packets > 0) {
       const auto n = static_cast<double>(scores.packets);
       results.rows.push_back({"loss: log loss", std::to_string(scores.packets), formatted("%.4f", scores.fitted / n),

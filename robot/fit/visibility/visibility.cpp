@@ -201,8 +201,8 @@ Table table_of(const Sights& sights) {
 void add_needs(std::size_t passes, Report& report) {
   for (const char* name : {"near", "far", "near_range"}) {
     const std::string whole = std::string("ball_detection.") + name;
-    const auto figure = std::ranges::find(report.figures, whole, &Figure::name);
-    if (figure == report.figures.end())
+    const Figure* const figure = report.figure(whole);
+    if (!figure)
       report.needs.push_back(need_of(whole, "passes", passes, std::max<std::size_t>(200, 2 * passes), kSightAdvice));
     else
       report.needs.push_back(need_of(*figure, figure->unit == "m" ? kEnoughRange : kEnoughShare, kSightAdvice));

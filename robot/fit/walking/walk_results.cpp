@@ -17,7 +17,6 @@ namespace {
 using sim::motion::Command, sim::motion::Walk;
 
 constexpr std::size_t kWalkFolds = 5;
-constexpr std::size_t kMostWalkDots = 1500;
 constexpr double kStartSeconds = 1.5;  // [s] of a start that is drawn
 constexpr double kDegreesARadian = 57.29578;
 
@@ -107,11 +106,8 @@ void add_achieved(const DriveTrack& track, const std::vector<WalkRates>& asked, 
   }
 }
 
-Mark walk_dots_of(const std::vector<double>& x, const std::vector<double>& y, Mark::Role role, const char* label) {
-  Mark mark{.shape = Mark::Shape::dots, .role = role, .label = label, .x = {}, .y = {}, .high = {}};
-  const std::size_t every = x.size() / kMostWalkDots + 1;
-  for (std::size_t i = 0; i < x.size(); i += every) mark.x.push_back(x[i]), mark.y.push_back(y[i]);
-  return mark;
+Mark walk_dots_of(std::vector<double> x, std::vector<double> y, Mark::Role role, const char* label) {
+  return {.shape = Mark::Shape::dots, .role = role, .label = label, .x = std::move(x), .y = std::move(y), .high = {}};
 }
 
 Mark walk_line_of(std::vector<double> x, std::vector<double> y, Mark::Role role, const char* label) {

@@ -218,7 +218,7 @@ class WalkReport {
     Vector away;
     for (const double duration : durations) away.push_back(std::abs(duration - value));
     const auto count = static_cast<double>(durations.size());
-    const double deviation = 1.25 * kOfMedian * lab::median_of(std::move(away)) / std::sqrt(count);
+    const double deviation = deviation_of_median(lab::median_of(std::move(away)), durations.size());
     const double half = two_sided(durations.size() - 1) *
                         std::hypot(deviation, std::hypot(kTickDeviation, resolution / std::sqrt(12 * count)));
     report_.figures.push_back(figure_of("walk.stop_delay", "s", value, std::max(0., value - half), value + half, count,

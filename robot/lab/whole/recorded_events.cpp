@@ -118,7 +118,7 @@ std::unique_ptr<Observer> observer_of(const memory::ChannelInfo& info) {
     return std::make_unique<Differences<pb::GameState>>();
   if (object == "motion_status" && type == pb::MotionStatus::descriptor()->full_name())
     return std::make_unique<Differences<pb::MotionStatus>>();
-  if (info.topic == "/sim/state" && type == pb::Simulation::descriptor()->full_name())
+  if (info.topic == memory::kSimulationTopic && type == pb::Simulation::descriptor()->full_name())
     return std::make_unique<Differences<pb::Simulation>>();
   if ((object == "log" || object.ends_with("/log")) && type == pb::LogText::descriptor()->full_name())
     return std::make_unique<Errors>();
@@ -153,7 +153,7 @@ std::optional<RecordedEvents> events_of(const body::Replay& replay, const std::f
   for (const std::string& topic : replay.topics()) {
     const std::string_view object = memory::object_name(topic).object;
     // a look at the schema costs the opening of a file
-    if (object != "game" && object != "motion_status" && topic != "/sim/state" && object != "log" &&
+    if (object != "game" && object != "motion_status" && topic != memory::kSimulationTopic && object != "log" &&
         !object.ends_with("/log"))
       continue;
     const auto info = replay.stream_of(topic)->open();

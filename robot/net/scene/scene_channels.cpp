@@ -26,7 +26,6 @@ namespace {
 
 namespace pb = foresight;
 
-constexpr const char* kSimulation = "/sim/state";
 using Bytes = Result<std::optional<std::string>>;
 
 /// Parses a version, or returns an Error that names the expected message.
@@ -64,7 +63,7 @@ Numbers numbers_of(std::string_view robot) {
 /// Returns the home team of the simulation, else the smallest of the robots that have channels, else that of the truth.
 std::uint32_t home_team(const memory::Channels& channels, const pb::GroundTruth& truth) {
   pb::Simulation simulation;
-  if (read_newest(channels, kSimulation, simulation) && simulation.home().number() > 0)
+  if (read_newest(channels, memory::kSimulationTopic, simulation) && simulation.home().number() > 0)
     return simulation.home().number();
   std::uint32_t least = 0;
   const auto take = [&](std::uint32_t team) {
@@ -196,7 +195,8 @@ std::vector<Derived> of_depth(const memory::ChannelInfo& source, const SceneSour
 
 pb::Field known_field(const SceneSources& sources) {
   pb::Simulation simulation;
-  const bool known = read_newest(sources.channels, kSimulation, simulation) && simulation.field().length() > 0 &&
+  const bool known = read_newest(sources.channels, memory::kSimulationTopic, simulation) &&
+                     simulation.field().length() > 0 &&
                      can_be_drawn(simulation.field().length(), simulation.field().width());
   return known ? simulation.field() : sources.field();
 }

@@ -22,7 +22,7 @@ struct LabForesightOf : ::testing::Test {
       game.write();
       for (const auto& channel : game.channels.all()) {
         const auto newest = channel->newest();
-        if (!newest || channel->info().topic == bridge::kSimulationTopic) continue;
+        if (!newest || channel->info().topic == memory::kSimulationTopic) continue;
         EXPECT_TRUE((*writer)->write(channel->info(), game.now_ns(), newest->bytes()));
       }
       moment = {.at_ns = game.now_ns(), .ball_x = ball_of(game).x, .score = game.state.book.score[0]};

@@ -23,11 +23,6 @@ sim::Models usual_models() {
   return models;
 }
 
-const Figure* figure_named(const Report& report, const std::string& name) {
-  const auto found = std::ranges::find(report.figures, name, &Figure::name);
-  return found == report.figures.end() ? nullptr : &*found;
-}
-
 Report noise_of(const PlantedSights& planted, std::uint64_t seed) {
   return fit_ball_noise(beside_truth(planted_sights(planted, seed).seen), usual_models());
 }
@@ -40,7 +35,7 @@ TEST(BallNoise, TheIntervalsCoverThePlantedNoiseDespiteTheErrorsOfTruthAndClock)
     const std::pair<const char*, double> values[] = {
         {"noise.tilt", planted.tilt}, {"noise.tilt_walking", planted.tilt_walking}, {"noise.roll", planted.roll}};
     for (const auto& [name, value] : values) {
-      const Figure* figure = figure_named(report, name);
+      const Figure* figure = report.figure(name);
       ASSERT_TRUE(figure) << name;
       covered += figure->low <= value && value <= figure->high;
       EXPECT_NEAR(figure->value, value, 0.1 * value) << name;
@@ -53,16 +48,16 @@ TEST(BallNoise, TheIntervalsCoverThePlantedNoiseDespiteTheErrorsOfTruthAndClock)
 
 TEST(BallNoise, AnExactTruthGivesTheSameNoise) {
   const Report report = noise_of({.truth_error = 0, .heading_error = 0}, 6);
-  ASSERT_TRUE(figure_named(report, "noise.tilt"));
-  EXPECT_NEAR(figure_named(report, "noise.tilt")->value, 0.015, 0.001);
-  EXPECT_NEAR(figure_named(report, "noise.roll")->value, 0.018, 0.001);
+  ASSERT_TRUE(report.figure("noise.tilt"));
+  EXPECT_NEAR(report.figure("noise.tilt")->value, 0.015, 0.001);
+  EXPECT_NEAR(report.figure("noise.roll")->value, 0.018, 0.001);
 }
 
 TEST(BallNoise, ABiasOfARecordingIsReportedAndNoPartOfTheNoise) {
   const Report report = noise_of({.elevation_bias = 0.02, .bearing_bias = 0.1}, 7);
-  const Figure* roll = figure_named(report, "noise.roll");
-  const Figure* bearing = figure_named(report, "ball_noise.bearing_bias");
-  const Figure* range = figure_named(report, "ball_noise.range_bias");
+  const Figure* roll = report.figure("noise.roll");
+  const Figure* bearing = report.figure("ball_noise.bearing_bias");
+  const Figure* range = report.figure("ball_noise.range_bias");
   ASSERT_TRUE(roll && bearing && range);
   EXPECT_NEAR(roll->value, 0.018, 0.0015);
   EXPECT_NEAR(bearing->value, 0.1, 0.005);
@@ -71,9 +66,9 @@ TEST(BallNoise, ABiasOfARecordingIsReportedAndNoPartOfTheNoise) {
 
 TEST(BallNoise, FalseBallsHardlyCount) {
   const Report report = noise_of({.false_balls = 0.03}, 8);
-  ASSERT_TRUE(figure_named(report, "noise.roll"));
-  EXPECT_NEAR(figure_named(report, "noise.roll")->value, 0.018, 0.0018);
-  EXPECT_NEAR(figure_named(report, "noise.tilt")->value, 0.015, 0.0015);
+  ASSERT_TRUE(report.figure("noise.roll"));
+  EXPECT_NEAR(report.figure("noise.roll")->value, 0.018, 0.0018);
+  EXPECT_NEAR(report.figure("noise.tilt")->value, 0.015, 0.0015);
 }
 
 TEST(BallNoise, ImagesHeldOutAreCoveredAsPromisedAndScoreBetterThanBefore) {
@@ -91,8 +86,8 @@ TEST(BallNoise, TheOrderOfTheRecordingsDoesNotMatter) {
   const Report one = fit_ball_noise(beside_truth(games.seen), usual_models());
   std::ranges::reverse(games.seen);
   const Report other = fit_ball_noise(beside_truth(games.seen), usual_models());
-  ASSERT_TRUE(figure_named(one, "noise.roll") && figure_named(other, "noise.roll"));
-  EXPECT_NEAR(figure_named(one, "noise.roll")->value, figure_named(other, "noise.roll")->value, 1e-9);
+  ASSERT_TRUE(one.figure("noise.roll") && other.figure("noise.roll"));
+  EXPECT_NEAR(one.figure("noise.roll")->value, other.figure("noise.roll")->value, 1e-9);
 }
 
 /// Reflects a game at the x axis.
@@ -111,22 +106,22 @@ TEST(BallNoise, AMirroredFieldGivesTheSame) {
   const Report one = fit_ball_noise(beside_truth(games.seen), usual_models());
   mirror(games);
   const Report other = fit_ball_noise(beside_truth(games.seen), usual_models());
-  ASSERT_TRUE(figure_named(one, "noise.roll") && figure_named(other, "noise.roll"));
-  EXPECT_NEAR(figure_named(one, "noise.roll")->value, figure_named(other, "noise.roll")->value, 1e-9);
-  EXPECT_NEAR(figure_named(one, "noise.tilt")->value, figure_named(other, "noise.tilt")->value, 1e-9);
+  ASSERT_TRUE(one.figure("noise.roll") && other.figure("noise.roll"));
+  EXPECT_NEAR(one.figure("noise.roll")->value, other.figure("noise.roll")->value, 1e-9);
+  EXPECT_NEAR(one.figure("noise.tilt")->value, other.figure("noise.tilt")->value, 1e-9);
 }
 
 TEST(BallNoise, WithoutHeadingsTheRollIsKept) {
   const Report report = noise_of({.has_heading = false}, 12);
-  EXPECT_TRUE(figure_named(report, "noise.tilt"));
-  EXPECT_FALSE(figure_named(report, "noise.roll"));
+  EXPECT_TRUE(report.figure("noise.tilt"));
+  EXPECT_FALSE(report.figure("noise.roll"));
   ASSERT_EQ(report.kept.size(), 1u);
   EXPECT_EQ(report.kept[0], "noise.roll: expected headings of the robots in the truth, got no heading");
 }
 
 TEST(BallNoise, WithoutMotionStatusTheTiltsAreKept) {
   const Report report = noise_of({.has_gait = false, .episodes = 6}, 13);
-  EXPECT_FALSE(figure_named(report, "noise.tilt"));
+  EXPECT_FALSE(report.figure("noise.tilt"));
   ASSERT_FALSE(report.kept.empty());
   EXPECT_EQ(report.kept[0], "noise.tilt: expected the motion status of the robots, got no message");
 }

@@ -23,11 +23,6 @@ sim::Models models_for_latency() {
   return models;
 }
 
-const Figure* lag_named(const Report& report, const std::string& name) {
-  const auto found = std::ranges::find(report.figures, name, &Figure::name);
-  return found == report.figures.end() ? nullptr : &*found;
-}
-
 Report latency_of(const SightsOfGames& games) { return fit_latency(beside_truth(games.seen), models_for_latency()); }
 
 bool has_note(const Report& report, const std::string& part) {
@@ -40,7 +35,7 @@ TEST(Latency, TheIntervalCoversThePlantedLagDespiteTheErrorsOfTruthAndClock) {
   for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
     const PlantedSights planted{.lag = static_cast<double>(seed % 4) / 30, .late = 0.01, .episodes = 10};
     const Report report = latency_of(planted_sights(planted, seed));
-    const Figure* figure = lag_named(report, "camera.latency");
+    const Figure* figure = report.figure("camera.latency");
     ASSERT_TRUE(figure) << seed;
     covered += figure->low <= planted.lag && planted.lag <= figure->high;
     EXPECT_LT(figure->high - figure->low, 0.06);
@@ -51,7 +46,7 @@ TEST(Latency, TheIntervalCoversThePlantedLagDespiteTheErrorsOfTruthAndClock) {
 
 TEST(Latency, OfOneRecordingWithItsTruthHasNoErrorOfAClock) {
   const Report report = latency_of(planted_sights({}, 7));
-  const Figure* figure = lag_named(report, "camera.latency");
+  const Figure* figure = report.figure("camera.latency");
   ASSERT_TRUE(figure);
   EXPECT_NEAR(figure->value, 2 / 30., 0.004);
   EXPECT_LT(figure->high - figure->low, 0.01);
@@ -60,33 +55,33 @@ TEST(Latency, OfOneRecordingWithItsTruthHasNoErrorOfAClock) {
 
 TEST(Latency, OfTheBeliefIsReported) {
   const Report report = latency_of(planted_sights({}, 8));
-  ASSERT_TRUE(lag_named(report, "latency.belief"));
-  EXPECT_NEAR(lag_named(report, "latency.belief")->value, 2 / 30. + 0.05, 0.006);
+  ASSERT_TRUE(report.figure("latency.belief"));
+  EXPECT_NEAR(report.figure("latency.belief")->value, 2 / 30. + 0.05, 0.006);
 }
 
 TEST(Latency, TheTimeUntilTheWritingAdds) {
   SightsOfGames games = planted_sights({.lag = 1 / 30.}, 9);
   for (SeenBalls& seen : games.seen) seen.writing = 0.04;
   const Report report = latency_of(games);
-  ASSERT_TRUE(lag_named(report, "camera.latency") && lag_named(report, "latency.publish"));
-  EXPECT_NEAR(lag_named(report, "latency.publish")->value, 0.04, 1e-9);
-  EXPECT_NEAR(lag_named(report, "camera.latency")->value, lag_named(report, "latency.percept")->value + 0.04, 1e-9);
+  ASSERT_TRUE(report.figure("camera.latency") && report.figure("latency.publish"));
+  EXPECT_NEAR(report.figure("latency.publish")->value, 0.04, 1e-9);
+  EXPECT_NEAR(report.figure("camera.latency")->value, report.figure("latency.percept")->value + 0.04, 1e-9);
   EXPECT_FALSE(has_note(report, "until the writing is not known"));
   EXPECT_TRUE(has_note(latency_of(planted_sights({.episodes = 8}, 9)), "until the writing is not known"));
 }
 
 TEST(Latency, AValueBeyondTheModelIsReportedAndKeptOut) {
   const Report report = latency_of(planted_sights({.lag = 0.2}, 10));
-  EXPECT_FALSE(lag_named(report, "camera.latency"));
-  ASSERT_TRUE(lag_named(report, "latency.total"));
-  EXPECT_NEAR(lag_named(report, "latency.total")->value, 0.2, 0.01);
+  EXPECT_FALSE(report.figure("camera.latency"));
+  ASSERT_TRUE(report.figure("latency.total"));
+  EXPECT_NEAR(report.figure("latency.total")->value, 0.2, 0.01);
   ASSERT_EQ(report.kept.size(), 1u);
   EXPECT_EQ(report.kept[0].find("camera.latency: expected 0 to 0.1 s, got 0."), 0u) << report.kept[0];
 }
 
 TEST(Latency, AValueThatIsOnlyByChanceOutsideIsOnTheBorder) {
   const Report report = latency_of(planted_sights({.lag = 0}, 11));
-  const Figure* figure = lag_named(report, "camera.latency");
+  const Figure* figure = report.figure("camera.latency");
   ASSERT_TRUE(figure);
   EXPECT_GE(figure->value, 0);
   EXPECT_LE(figure->low, figure->value);
@@ -97,7 +92,7 @@ TEST(Latency, AClockThatWasComparedByTheBallHidesTheLag) {
   SightsOfGames games = planted_sights({.episodes = 8}, 12);
   for (auto& robot : games.robots) robot->clock_by = "the ball, as 14/2 of the truth (by its number)";
   const Report report = latency_of(games);
-  EXPECT_FALSE(lag_named(report, "camera.latency"));
+  EXPECT_FALSE(report.figure("camera.latency"));
   ASSERT_EQ(report.kept.size(), 1u);
   EXPECT_EQ(report.kept[0],
             "camera.latency: expected clocks that were compared by samples, got clocks that were compared by the ball, "
@@ -106,7 +101,7 @@ TEST(Latency, AClockThatWasComparedByTheBallHidesTheLag) {
 
 TEST(Latency, WithoutHeadingsTheDistancesShowIt) {
   const Report report = latency_of(planted_sights({.nearest = 1, .farthest = 2.5, .has_heading = false}, 13));
-  const Figure* figure = lag_named(report, "camera.latency");
+  const Figure* figure = report.figure("camera.latency");
   ASSERT_TRUE(figure);
   EXPECT_LE(figure->low, 2 / 30.);
   EXPECT_GE(figure->high, 2 / 30.);
@@ -117,13 +112,13 @@ TEST(Latency, TheOrderOfTheRecordingsDoesNotMatter) {
   const Report one = latency_of(games);
   std::ranges::reverse(games.seen);
   const Report other = latency_of(games);
-  ASSERT_TRUE(lag_named(one, "camera.latency") && lag_named(other, "camera.latency"));
-  EXPECT_NEAR(lag_named(one, "camera.latency")->value, lag_named(other, "camera.latency")->value, 1e-9);
+  ASSERT_TRUE(one.figure("camera.latency") && other.figure("camera.latency"));
+  EXPECT_NEAR(one.figure("camera.latency")->value, other.figure("camera.latency")->value, 1e-9);
 }
 
 TEST(Latency, TooFewRollingBallsAreRefused) {
   const Report few = latency_of(planted_sights({.recordings = 1, .episodes = 2}, 15));
-  EXPECT_FALSE(lag_named(few, "camera.latency"));
+  EXPECT_FALSE(few.figure("camera.latency"));
   ASSERT_EQ(few.kept.size(), 1u);
   EXPECT_NE(few.kept[0].find("camera.latency: expected at least 8 passes of balls that roll at 0.4 m/s or more, got "),
             std::string::npos);

@@ -208,11 +208,6 @@ TEST(GroundTime, OneAttemptAndTheirFailures) {
   EXPECT_NEAR(model.deviation, 0.15, 0.04);
 }
 
-const Figure* fall_figure(const Report& report, const std::string& name) {
-  const auto found = std::ranges::find(report.figures, name, &Figure::name);
-  return found == report.figures.end() ? nullptr : &*found;
-}
-
 TEST(Falling, TooLittleTimeAndTooFewFallsAreKeptWithTheReason) {
   const Report report = fit_falling(evidence_of_falls(truth_of({walker("14/2", 60, 0)})), falling_models());
   EXPECT_TRUE(report.empty());
@@ -230,7 +225,7 @@ TEST(Falling, TheTimesOfTheTruthGiveOneAttempt) {
   auto robot = walker("14/2", 900, 0);
   for (int i = 0; i < 30; ++i) lie_down(robot, 20 + 25 * i, 20 + 25 * i + (i % 5 == 0 ? 6.2 : 3.1));
   const Report report = fit_falling(evidence_of_falls(truth_of({robot})), falling_models());
-  const Figure *down = fall_figure(report, "falls.down"), *failure = fall_figure(report, "falls.failure");
+  const Figure *down = report.figure("falls.down"), *failure = report.figure("falls.failure");
   ASSERT_TRUE(down && failure);
   EXPECT_TRUE(down->low <= 3.1 && 3.1 <= down->high) << down->value;
   EXPECT_TRUE(failure->low <= 1 / 6. && 1 / 6. <= failure->high) << failure->value;
@@ -244,7 +239,7 @@ TEST(Falling, TimesThatScatterDoNotTellAttemptsApart) {
       .recordings = {"game"}, .robots = {{.recording = 0, .robot = "14/2"}}, .phases = {}, .phase_recordings = {}};
   for (int i = 0; i < 30; ++i) seen.robots[0].falls.push_back({.at = 1, .walking = true, .down = 1 + 0.2 * i});
   const Report report = fit_falling(seen, falling_models());
-  EXPECT_EQ(fall_figure(report, "falls.failure"), nullptr);
+  EXPECT_EQ(report.figure("falls.failure"), nullptr);
   EXPECT_NE(report.kept.back().find("cannot be told apart"), std::string::npos);
 }
 
@@ -257,12 +252,12 @@ TEST(Falling, RecordedPhasesGiveBothDurationsAndTheFailures) {
   }
   seen.phases.attempts = 40, seen.phases.failures = 8;
   const Report report = fit_falling(seen, falling_models());
-  const Figure *lying = fall_figure(report, "falls.lying"), *rising = fall_figure(report, "falls.getting_up");
-  ASSERT_TRUE(lying && rising && fall_figure(report, "falls.failure"));
+  const Figure *lying = report.figure("falls.lying"), *rising = report.figure("falls.getting_up");
+  ASSERT_TRUE(lying && rising && report.figure("falls.failure"));
   EXPECT_TRUE(lying->low < 1.2 && 1.2 < lying->high);
   EXPECT_NEAR(rising->value, 2.5, 0.02) << "a single robot that was picked up hardly counts";
-  EXPECT_EQ(fall_figure(report, "falls.failure")->value, 0.2);
-  EXPECT_EQ(fall_figure(report, "falls.down"), nullptr);
+  EXPECT_EQ(report.figure("falls.failure")->value, 0.2);
+  EXPECT_EQ(report.figure("falls.down"), nullptr);
 }
 
 TEST(Falling, TheMotionStatusOfSimulatedRobotsHasThePhases) {
@@ -273,11 +268,11 @@ TEST(Falling, TheMotionStatusOfSimulatedRobotsHasThePhases) {
        .seconds = 90,
        .place_error = 0.02});
   const Report report = fit_falling(evidence, falling_models());
-  const Figure *lying = fall_figure(report, "falls.lying"), *rising = fall_figure(report, "falls.getting_up");
-  ASSERT_TRUE(lying && rising && fall_figure(report, "falls.failure")) << to_text(report);
+  const Figure *lying = report.figure("falls.lying"), *rising = report.figure("falls.getting_up");
+  ASSERT_TRUE(lying && rising && report.figure("falls.failure")) << to_text(report);
   EXPECT_TRUE(lying->low <= 1.5 && 1.5 <= lying->high) << lying->value;
   EXPECT_TRUE(rising->low <= 2 && 2 <= rising->high) << rising->value;
-  EXPECT_TRUE(fall_figure(report, "falls.failure")->low <= 0.3 && 0.3 <= fall_figure(report, "falls.failure")->high);
+  EXPECT_TRUE(report.figure("falls.failure")->low <= 0.3 && 0.3 <= report.figure("falls.failure")->high);
 }
 
 }  // namespace

@@ -40,11 +40,6 @@ Evidence seen_from_outside(lab::TruthRecord record) {
   return evidence;
 }
 
-const Figure* outside(const Report& report, const std::string& name) {
-  const auto found = std::ranges::find(report.figures, name, &Figure::name);
-  return found == report.figures.end() ? nullptr : &*found;
-}
-
 TEST(WalksIn, SpeedsAreThoseOfTheStatisticsOfGames) {
   lab::TruthRecord truth;
   truth.robots = {hurrying("14/2", 0.3, 166, 0.02, 1), hurrying("5/3", 0.2, 166, 0.02, 2)};
@@ -58,9 +53,9 @@ TEST(WalksIn, SpeedsAreThoseOfTheStatisticsOfGames) {
   }
   const sim::statistics::Walking walking = walking_of(window);
   const Report report = fit_opponents(seen_from_outside(truth), outside_models());
-  ASSERT_TRUE(outside(report, "opponents.speed") && outside(report, "opponents.speed_median"));
-  EXPECT_NEAR(outside(report, "opponents.speed")->value, walking.speed_99, 0.003);
-  EXPECT_NEAR(outside(report, "opponents.speed_median")->value, walking.speed_median, 0.003);
+  ASSERT_TRUE(report.figure("opponents.speed") && report.figure("opponents.speed_median"));
+  EXPECT_NEAR(report.figure("opponents.speed")->value, walking.speed_99, 0.003);
+  EXPECT_NEAR(report.figure("opponents.speed_median")->value, walking.speed_median, 0.003);
 }
 
 TEST(WalksIn, LeavesOutRobotsThatAreKnownAndPlacesThatAreImpossible) {
@@ -106,15 +101,15 @@ TEST(Opponents, FitsTheWalkOfTheModelsOnlyIfNoRobotRecordedAnything) {
     truth.robots.push_back(hurrying("14/" + std::to_string(i + 1), 0.2 + 0.02 * i, 300, 0.02, 1));
   Evidence evidence = seen_from_outside(truth);
   const Report report = fit_opponents(evidence, outside_models());
-  ASSERT_TRUE(outside(report, "walk.forward") && outside(report, "walk.spread"));
-  EXPECT_NEAR(outside(report, "walk.forward")->value, 0.32, 0.03);
+  ASSERT_TRUE(report.figure("walk.forward") && report.figure("walk.spread"));
+  EXPECT_NEAR(report.figure("walk.forward")->value, 0.32, 0.03);
   WatchedRobot watched{
       .name = "own", .session = {}, .game = evidence.games[0], .path = truth.robots[0].path, .clock = {}};
   watched.session.info.robot = "14/1";
   evidence.robots.push_back(std::move(watched));
   const OpponentsSeen others = read_opponents(evidence, 0.3);
   EXPECT_EQ(others.walks.size(), 5u);
-  EXPECT_EQ(outside(fit_opponents(others, outside_models()), "walk.forward"), nullptr);
+  EXPECT_EQ(fit_opponents(others, outside_models()).figure("walk.forward"), nullptr);
 }
 
 TEST(Opponents, KicksOfRobotsAndTheirReach) {
@@ -124,10 +119,10 @@ TEST(Opponents, KicksOfRobotsAndTheirReach) {
     seen.kicks.push_back({.recording = 0, .at = 1. * i, .team = "5", .speed = speed, .reach = speed * speed / 0.6});
   }
   const Report report = fit_opponents(seen, outside_models());
-  ASSERT_TRUE(outside(report, "opponents.kick_speed") && outside(report, "opponents.reach"));
-  EXPECT_NEAR(outside(report, "opponents.kick_speed")->value, 1.2, 1e-9);
-  EXPECT_NEAR(outside(report, "opponents.reach")->value, 1.68 * 1.68 / 0.6, 1e-9);
-  EXPECT_LT(outside(report, "opponents.reach")->low, 4.7);
+  ASSERT_TRUE(report.figure("opponents.kick_speed") && report.figure("opponents.reach"));
+  EXPECT_NEAR(report.figure("opponents.kick_speed")->value, 1.2, 1e-9);
+  EXPECT_NEAR(report.figure("opponents.reach")->value, 1.68 * 1.68 / 0.6, 1e-9);
+  EXPECT_LT(report.figure("opponents.reach")->low, 4.7);
 }
 
 TEST(Opponents, AReboundIsNoKick) {

@@ -18,11 +18,6 @@ using tests::planted_packets, tests::PlantedPackets;
 
 constexpr sim::perception::Radio kBefore{.delay = 0.1f, .loss = 0.1f};
 
-const Figure* figure(const Report& report, const std::string& name) {
-  const auto found = std::ranges::find(report.figures, name, &Figure::name);
-  return found == report.figures.end() ? nullptr : &*found;
-}
-
 bool covers(const Figure& figure, double planted) { return figure.low <= planted && planted <= figure.high; }
 
 /// Counts of intervals that cover the planted values, of `repetitions`.
@@ -35,7 +30,7 @@ Covered cover(const PlantedPackets& planted, int repetitions) {
   Covered covered;
   for (int i = 0; i < repetitions; ++i) {
     const Report report = fit_packets(planted_packets(planted, static_cast<std::uint64_t>(i) + 100), kBefore);
-    const Figure *delay = figure(report, "radio.delay"), *loss = figure(report, "radio.loss");
+    const Figure *delay = report.figure("radio.delay"), *loss = report.figure("radio.loss");
     if (!delay || !loss) return covered;
     covered.delay += covers(*delay, planted.delay);
     covered.loss += covers(*loss, planted.loss);
@@ -74,7 +69,7 @@ TEST(Radio, TheErrorsOfTheClocksAddToTheIntervalOfTheDelay) {
   EXPECT_LT(width(planted), 1.3 * width({.minutes = 5, .robots = 2}));
   auto one_way = planted_packets(planted, 1);
   one_way[0].heard.clear();
-  const Figure delay = *figure(fit_packets(one_way, kBefore), "radio.delay");
+  const Figure delay = *fit_packets(one_way, kBefore).figure("radio.delay");
   EXPECT_GT(delay.high - delay.low, 2 * 1.96 * 0.02) << "the error of one way does not cancel";
 }
 
@@ -94,30 +89,30 @@ TEST(Radio, TheOrderOfRecordingsDoesNotMatter) {
 
 TEST(Radio, SingleWrongDelaysHardlyCount) {
   auto records = planted_packets({}, 1);
-  const double good = figure(fit_packets(records, kBefore), "radio.delay")->value;
+  const double good = fit_packets(records, kBefore).figure("radio.delay")->value;
   for (std::size_t i = 0; i < records[0].heard.size(); i += 100) records[0].heard[i].arrived += 1.8;
-  EXPECT_NEAR(figure(fit_packets(records, kBefore), "radio.delay")->value, good, 0.004);
+  EXPECT_NEAR(fit_packets(records, kBefore).figure("radio.delay")->value, good, 0.004);
 }
 
 TEST(Radio, TimesThatAreNotNumbersAreDropped) {
   auto records = planted_packets({}, 1);
   for (HeardPacket& packet : records[0].heard) packet.sent = packet.arrived = NAN;
   const Report report = fit_packets(records, kBefore);
-  ASSERT_TRUE(figure(report, "radio.delay"));
+  ASSERT_TRUE(report.figure("radio.delay"));
   for (const Figure& one : report.figures) EXPECT_TRUE(std::isfinite(one.low) && std::isfinite(one.high)) << one.name;
 }
 
 TEST(Radio, ReportsTheTimeBetweenPackets) {
   const Report report = fit_packets(planted_packets({.jitter = 0}, 1), kBefore);
-  EXPECT_NEAR(figure(report, "radio.interval")->value, 1, 1e-6);
-  EXPECT_EQ(figure(report, "radio.interval")->kind, "packets");
+  EXPECT_NEAR(report.figure("radio.interval")->value, 1, 1e-6);
+  EXPECT_EQ(report.figure("radio.interval")->kind, "packets");
 }
 
 TEST(Radio, PacketsThatTheNextOneFollowsSoonDoNotCountForTheLoss) {
   // every packet is followed within less than three mean delays
   const Report report = fit_packets(planted_packets({.delay = 0.5}, 1), kBefore);
-  EXPECT_TRUE(figure(report, "radio.delay"));
-  EXPECT_FALSE(figure(report, "radio.loss"));
+  EXPECT_TRUE(report.figure("radio.delay"));
+  EXPECT_FALSE(report.figure("radio.loss"));
   EXPECT_NE(std::ranges::find(
                 report.kept,
                 "radio.loss: expected at least 50 packets in the recordings of their sender and of a mate, got 0"),
@@ -127,7 +122,7 @@ TEST(Radio, PacketsThatTheNextOneFollowsSoonDoNotCountForTheLoss) {
 TEST(Radio, AReceiverThatWritesLateCountsForNoLoss) {
   auto records = planted_packets({}, 1);
   for (TeamRecord& record : records) record.late = 0.4;
-  EXPECT_FALSE(figure(fit_packets(records, kBefore), "radio.loss"));
+  EXPECT_FALSE(fit_packets(records, kBefore).figure("radio.loss"));
 }
 
 TEST(Radio, APauseOfTheReceiverIsNoLoss) {
@@ -136,14 +131,14 @@ TEST(Radio, APauseOfTheReceiverIsNoLoss) {
     std::erase_if(record.heard, [](const HeardPacket& packet) { return packet.arrived > 100 && packet.arrived < 300; });
     std::erase_if(record.written, [](double at) { return at > 100 && at < 300; });
   }
-  EXPECT_TRUE(covers(*figure(fit_packets(records, kBefore), "radio.loss"), 0.25));
+  EXPECT_TRUE(covers(*fit_packets(records, kBefore).figure("radio.loss"), 0.25));
 }
 
 TEST(Radio, PacketsOfOtherGamesAreNoLoss) {
   auto records = planted_packets({}, 1), others = planted_packets({}, 2);
   records.insert(records.end(), others.begin(), others.end());
   const Report both = fit_packets(records, kBefore);
-  EXPECT_TRUE(covers(*figure(both, "radio.loss"), 0.25));
+  EXPECT_TRUE(covers(*both.figure("radio.loss"), 0.25));
   EXPECT_EQ(both.results.front().title, "errors on packets held out: each of 2 games");
 }
 
@@ -151,16 +146,16 @@ TEST(Radio, WithoutSendersRegularGapsGiveTheLoss) {
   auto records = planted_packets({.interval = 0.5, .jitter = 0.02, .minutes = 20}, 1);
   for (TeamRecord& record : records) record.sent.clear(), record.game = nullptr;
   const Report report = fit_packets(records, kBefore);
-  ASSERT_TRUE(figure(report, "radio.loss_in_gaps"));
-  EXPECT_NEAR(figure(report, "radio.loss_in_gaps")->value, 0.25, 0.02);
-  EXPECT_EQ(figure(report, "radio.loss_in_gaps")->kind, "regular packets");
+  ASSERT_TRUE(report.figure("radio.loss_in_gaps"));
+  EXPECT_NEAR(report.figure("radio.loss_in_gaps")->value, 0.25, 0.02);
+  EXPECT_EQ(report.figure("radio.loss_in_gaps")->kind, "regular packets");
 }
 
 TEST(Radio, WithoutSendersIrregularGapsAreRefused) {
   auto records = planted_packets({.jitter = 1.5}, 1);
   for (TeamRecord& record : records) record.sent.clear(), record.game = nullptr;
   const Report report = fit_packets(records, kBefore);
-  EXPECT_FALSE(figure(report, "radio.loss"));
+  EXPECT_FALSE(report.figure("radio.loss"));
   EXPECT_TRUE(std::ranges::any_of(report.kept, [](const std::string& sentence) {
     return sentence.starts_with(
         "radio.loss: expected the recordings of the senders, or packets at regular times, got gaps of ");

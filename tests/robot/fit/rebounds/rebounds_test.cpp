@@ -33,11 +33,6 @@ Report fitted(const PlantedTouches& planted, std::uint64_t seed) {
   return fit_rebounds(touched({planted_touches(planted, seed)}), usual_models());
 }
 
-const Figure* figure_in(const Report& report, const std::string& name) {
-  const auto found = std::ranges::find(report.figures, name, &Figure::name);
-  return found == report.figures.end() ? nullptr : &*found;
-}
-
 bool covers(const Figure* figure, double planted) {
   return figure && figure->low <= planted && planted <= figure->high;
 }
@@ -74,9 +69,9 @@ TEST(Rebounds, TheIntervalsCoverThePlantedFiguresDespiteTheTruthsError) {
   int robots = 0, posts = 0, pushed = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const Report report = fitted({.posts = 20, .pushes = 60}, seed);
-    robots += covers(figure_in(report, "ball.robot_restitution"), 0.5);
-    posts += covers(figure_in(report, "ball.post_restitution"), 0.6);
-    pushed += covers(figure_in(report, "contact.push_deviation"), 0.4);
+    robots += covers(report.figure("ball.robot_restitution"), 0.5);
+    posts += covers(report.figure("ball.post_restitution"), 0.6);
+    pushed += covers(report.figure("contact.push_deviation"), 0.4);
   }
   EXPECT_GE(robots, 7);
   EXPECT_GE(posts, 7);
@@ -131,7 +126,7 @@ TEST(Rebounds, PushesThatTheFootBendsBackAreKept) {
 TEST(Rebounds, ARobotThatLiesOrAnotherRobotNearbyDoesNotCount) {
   auto lying = planted_touches({.rebounds = 10}, 1), crowded = lying;
   for (lab::PlaceAt& place : lying.robots[0].path) place.fallen = true;
-  EXPECT_EQ(figure_in(fit_rebounds(touched({lying}), usual_models()), "ball.robot_restitution"), nullptr);
+  EXPECT_EQ(fit_rebounds(touched({lying}), usual_models()).figure("ball.robot_restitution"), nullptr);
   crowded.robots.push_back({.name = "14/3", .path = {}});
   for (lab::PlaceAt place : crowded.robots[0].path) place.x += 0.3, crowded.robots[1].path.push_back(place);
   EXPECT_LT(read_rebounds(touched({crowded}), usual_models()).robots.size(), 8u);
@@ -155,7 +150,7 @@ TEST(Rebounds, APictureAndATableOfEachKindOfTouch) {
   const Report report = fitted({.posts = 12, .pushes = 40}, 1);
   EXPECT_EQ(report.pictures.size(), 3u);
   ASSERT_EQ(report.tables.size(), 3u);
-  EXPECT_EQ(report.tables[0].second.rows.size(), figure_in(report, "ball.robot_restitution")->events);
+  EXPECT_EQ(report.tables[0].second.rows.size(), report.figure("ball.robot_restitution")->events);
   EXPECT_NE(to_text(report).find("ball.robot_restitution"), std::string::npos);
 }
 

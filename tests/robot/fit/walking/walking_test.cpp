@@ -45,11 +45,6 @@ Report report_of(const PlantedWalks& planted, std::uint64_t seed) {
                           other_models(planted.models.effects.walk_spread));
 }
 
-const Figure* find(const Report& report, const std::string& name) {
-  const auto found = std::ranges::find(report.figures, name, &Figure::name);
-  return found == report.figures.end() ? nullptr : &*found;
-}
-
 std::map<std::string, double> planted_values(const sim::motion::Walk& walk) {
   return {{"walk.forward", walk.forward},         {"walk.backward", walk.backward},
           {"walk.sideward", walk.sideward},       {"walk.turn_rate", walk.turn_rate},
@@ -70,7 +65,7 @@ TEST(Walking, FindsThePlantedWalkWithinItsIntervals) {
     const PlantedWalks planted{.seconds = 600};
     const Report report = report_of(planted, seed);
     for (const auto& [name, value] : planted_values(planted.models.motion.walk)) {
-      const Figure* figure = find(report, name);
+      const Figure* figure = report.figure(name);
       ASSERT_TRUE(figure) << name;
       ++figures, covered += value >= figure->low && value <= figure->high ? 1 : 0;
       EXPECT_NEAR(figure->value, value, figure->high - figure->low) << name << " seed " << seed;
@@ -91,7 +86,7 @@ TEST(Walking, SeveralRobotsShowTheFastestAndTheSpread) {
   PlantedWalks planted{.robots = 8, .seconds = 150};
   planted.models.effects.walk_spread = true;
   const Report report = report_of(planted, 5);
-  const Figure *forward = find(report, "walk.forward"), *spread = find(report, "walk.spread");
+  const Figure *forward = report.figure("walk.forward"), *spread = report.figure("walk.spread");
   ASSERT_TRUE(forward && spread);
   EXPECT_TRUE(forward->low <= 0.3 && 0.3 <= forward->high);
   EXPECT_TRUE(spread->low <= 0.4 && 0.4 <= spread->high);
@@ -118,8 +113,8 @@ TEST(Walking, AMirroredFieldGivesTheSame) {
 
 TEST(Walking, KeepsWhatTheRecordingsDoNotShow) {
   const Report report = report_of({.seconds = 240, .ahead_only = true}, 8);
-  EXPECT_TRUE(find(report, "walk.forward"));
-  EXPECT_FALSE(find(report, "walk.sideward"));
+  EXPECT_TRUE(report.figure("walk.forward"));
+  EXPECT_FALSE(report.figure("walk.sideward"));
   EXPECT_TRUE(
       keeps(report, "walk.backward: expected at least 10 seconds of walking back at full speed in 3 drives, got 0.0"));
   EXPECT_TRUE(keeps(report, "walk.sideward: expected"));
@@ -141,7 +136,7 @@ TEST(Walking, SaysWhatIsMissing) {
 
 TEST(Walking, TheErrorOfTheClockWidensTheStartDelay) {
   const Report exact = report_of({.seconds = 300}, 9), loose = report_of({.seconds = 300, .clock_deviation = 0.05}, 9);
-  const Figure *one = find(exact, "walk.start_delay"), *other = find(loose, "walk.start_delay");
+  const Figure *one = exact.figure("walk.start_delay"), *other = loose.figure("walk.start_delay");
   ASSERT_TRUE(one && other);
   EXPECT_GT(other->high - other->low, one->high - one->low);
 }
@@ -152,10 +147,10 @@ TEST(Walking, APathWithoutHeadingsOrWithOutliersDoesNotSpread) {
   for (std::size_t i = 100; i < drills[0].path.size(); i += 450) drills[0].path[i].heading = NAN;
   for (std::size_t i = 300; i < drills[0].path.size(); i += 450) drills[0].path[i].x += 0.25;
   const Report report = fit::fit_walking(drives_of(drills, 0), other_models(false));
-  ASSERT_TRUE(find(report, "walk.forward"));
+  ASSERT_TRUE(report.figure("walk.forward"));
   for (const Figure& figure : report.figures)
     EXPECT_TRUE(std::isfinite(figure.value + figure.low + figure.high)) << figure.name;
-  EXPECT_NEAR(find(report, "walk.forward")->value, 0.3, 0.02);
+  EXPECT_NEAR(report.figure("walk.forward")->value, 0.3, 0.02);
 }
 
 TEST(Paces, OneRobotIsSlowerThanTheFastestByTheKnownSpread) {
