@@ -60,23 +60,45 @@ auto made(const std::string& name, const std::vector<std::string>& only, Make&& 
   return Made{};
 }
 
+/// The recordings for fits that report alike. Readings that several fits share are made once, when the first one wants them.
+class Readings {
+ public:
+  Readings(const fit::Evidence& recordings, const sim::Models& base) : evidence(recordings), models(base) {}
+
+  const fit::BallPlaces& ball_places() {
+    if (!ball_places_) ball_places_ = fit::read_ball_places(evidence);
+    return *ball_places_;
+  }
+  const fit::Looks& looks() {
+    if (!looks_) looks_ = fit::read_looks(evidence, models);
+    return *looks_;
+  }
+
+  const fit::Evidence& evidence;
+  const sim::Models& models;
+
+ private:
+  std::optional<fit::BallPlaces> ball_places_;
+  std::optional<fit::Looks> looks_;
+};
+
 /// A fit that reports as all do.
 struct Reporting {
   const char* name;
-  fit::Report (*make)(const fit::Evidence&, const sim::Models&);
+  fit::Report (*make)(Readings& readings);
 };
 constexpr Reporting kReporting[] = {
-    {"walk", fit::fit_walking},
-    {"ball_noise", fit::fit_ball_noise},
-    {"latency", fit::fit_latency},
-    {"visibility", fit::fit_visibility},
-    {"false_balls", fit::fit_false_balls},
-    {"odometry", fit::fit_odometry},
-    {"localisation", fit::fit_localisation},
-    {"rebounds", fit::fit_rebounds},
-    {"falls", fit::fit_falling},
-    {"radio", fit::fit_radio},
-    {"opponents", fit::fit_opponents},
+    {"walk", [](Readings& all) { return fit::fit_walking(all.evidence, all.models); }},
+    {"ball_noise", [](Readings& all) { return fit::fit_ball_noise(all.ball_places(), all.models); }},
+    {"latency", [](Readings& all) { return fit::fit_latency(all.ball_places(), all.models); }},
+    {"visibility", [](Readings& all) { return fit::fit_visibility(all.looks(), all.models); }},
+    {"false_balls", [](Readings& all) { return fit::false_balls_of(all.looks(), all.models); }},
+    {"odometry", [](Readings& all) { return fit::fit_odometry(all.evidence, all.models); }},
+    {"localisation", [](Readings& all) { return fit::fit_localisation(all.evidence, all.models); }},
+    {"rebounds", [](Readings& all) { return fit::fit_rebounds(all.evidence, all.models); }},
+    {"falls", [](Readings& all) { return fit::fit_falling(all.evidence, all.models); }},
+    {"radio", [](Readings& all) { return fit::fit_radio(all.evidence, all.models); }},
+    {"opponents", [](Readings& all) { return fit::fit_opponents(all.evidence, all.models); }},
 };
 
 Result<void> check_names(const std::vector<std::string>& only) {
@@ -147,9 +169,10 @@ Result<Fits> fit_all(const fit::Evidence& evidence, const std::vector<std::strin
   fits.kicks = made(
       "kicks", only, [&] { return fit::fit_kicks(evidence, fit::kick_facts_of(*models)); }, fits.kept);
   if (fits.kicks) fits.kept.insert(fits.kept.end(), fits.kicks->kept.begin(), fits.kicks->kept.end());
+  Readings readings(evidence, *models);
   for (const Reporting& one : kReporting) {
     if (!is_wanted(one.name, only)) continue;
-    fit::Report& report = fits.reports.emplace_back(one.make(evidence, *models));
+    fit::Report& report = fits.reports.emplace_back(one.make(readings));
     fits.kept.insert(fits.kept.end(), report.kept.begin(), report.kept.end());
   }
   keep_loose(fits);
@@ -160,8 +183,9 @@ Result<std::vector<fit::Need>> needs_of(const fit::Evidence& evidence, const std
   const auto models = sim::io::load_models(base);
   if (!models) return models.failure();
   std::vector<fit::Need> needs = fit::plan(evidence, fit::kick_facts_of(*models));
+  Readings readings(evidence, *models);
   for (const Reporting& one : kReporting) {
-    const fit::Report report = one.make(evidence, *models);
+    const fit::Report report = one.make(readings);
     needs.insert(needs.end(), report.needs.begin(), report.needs.end());
   }
   return needs;

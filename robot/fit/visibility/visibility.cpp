@@ -248,7 +248,10 @@ Report visibility_of(const Sights& sights, const sim::Models& base) {
 }
 
 Report fit_visibility(const Evidence& evidence, const sim::Models& base) {
-  const Looks looks = read_looks(evidence, base);
+  return fit_visibility(read_looks(evidence, base), base);
+}
+
+Report fit_visibility(const Looks& looks, const sim::Models& base) {
   if (looks.looks.empty()) {
     Report report = empty_report();
     report.kept.push_back("visibility: " + reason_without(looks));

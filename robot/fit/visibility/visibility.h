@@ -3,6 +3,7 @@
 
 #include "robot/fit/evidence.h"
 #include "robot/fit/report.h"
+#include "robot/fit/visibility/looks.h"
 #include "robot/fit/visibility/sights.h"
 #include "sim/match/params.h"
 
@@ -15,6 +16,7 @@ namespace robot::fit {
 /// squares, speed of the head and hiding. Intervals cover the luck of whole passes.
 /// The truth needs headings. `base` has the view's noise, the sizes, and the detection to compare with.
 Report fit_visibility(const Evidence& evidence, const sim::Models& base);
+Report fit_visibility(const Looks& looks, const sim::Models& base);
 
 /// As fit_visibility() for images that are read already.
 Report visibility_of(const Sights& sights, const sim::Models& base);

@@ -197,7 +197,7 @@ TEST(Visibility, NothingInViewIsRefusedWithTheReason) {
 }
 
 TEST(Visibility, WithoutRecordingsItSaysWhatIsMissing) {
-  const Report report = fit_visibility({}, planted_base());
+  const Report report = fit_visibility(Evidence{}, planted_base());
   ASSERT_EQ(report.kept.size(), 1u);
   EXPECT_EQ(report.kept[0], "visibility: expected images of robots beside the truth (topic vision), got none");
 }
