@@ -112,7 +112,8 @@ void hear_penalties(const State& state, int robot, agent::Beliefs& beliefs) {
 void think(const Params& params, const RobotParams& own, State& state, int robot, agent::Trace* trace) {
   Robot& self = state.robots[robot];
   const Tick now = state.world.tick, steps = state.schedule.lag[robot];
-  perception::perceive(own.perception, state.world, robot, steps, self.beliefs, self.cognition);
+  const perception::Look look{&state.world, &self.beliefs, &self.cognition, robot, steps};
+  perception::perceive(own.perception, {&look, 1});
   if (referee::in_play(state.book) && self.beliefs.ball.visible) state.counts.seen[robot] += steps;
   hear_penalties(state, robot, self.beliefs);
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);

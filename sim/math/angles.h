@@ -68,15 +68,16 @@ inline SinCos sin_cos_of_rest(float rest, std::uint32_t quarters) {
           std::bit_cast<float>((cosine_bits ^ difference) ^ (((quarters + 1u) & 2u) << 30))};
 }
 
+/// Returns sine and cosine of an angle whose number of quarter turns plus kRound is `shifted`.
+inline SinCos sin_cos_shifted(float angle, float shifted) {
+  const float quarters = shifted - kRound;
+  const float rest = ((angle - quarters * kHalfPiHigh) - quarters * kHalfPiMiddle) - quarters * kHalfPiLow;
+  return sin_cos_of_rest(rest, std::bit_cast<std::uint32_t>(shifted));
+}
+
 }  // namespace detail
 
-inline SinCos sin_cos(float angle) {
-  const float shifted = angle * (2.f / kPi) + detail::kRound;
-  const float quarters = shifted - detail::kRound;
-  const float rest =
-      ((angle - quarters * detail::kHalfPiHigh) - quarters * detail::kHalfPiMiddle) - quarters * detail::kHalfPiLow;
-  return detail::sin_cos_of_rest(rest, std::bit_cast<std::uint32_t>(shifted));
-}
+inline SinCos sin_cos(float angle) { return detail::sin_cos_shifted(angle, angle * (2.f / kPi) + detail::kRound); }
 
 inline float sin(float angle) { return sin_cos(angle).sin; }
 inline float cos(float angle) { return sin_cos(angle).cos; }

@@ -5,7 +5,14 @@
 // the same bits as the formula alone: nothing is fused or reordered (sim/CMakeLists.txt).
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+
+#include "sim/math/random.h"
+#include "sim/math/vec2.h"
 
 /// The head of a loop over the lanes of a block. No lane may read what another one writes.
 #if defined(__clang__)
@@ -27,6 +34,29 @@ struct alignas(sizeof(T) * kLanes) Lane {
 
   constexpr T& operator[](int i) { return lane[i]; }
   constexpr const T& operator[](int i) const { return lane[i]; }
+};
+
+/// One vector in each lane.
+template <>
+struct alignas(sizeof(float) * kLanes) Lane<Vec2> {
+  float x[kLanes], y[kLanes];
+
+  constexpr Vec2 operator[](int i) const { return {x[i], y[i]}; }
+  constexpr void set(int i, Vec2 value) { x[i] = value.x, y[i] = value.y; }
+};
+
+/// The address of a random number in each lane (sim/math/random.h), without its purpose.
+struct DrawLanes {
+  Lane<std::uint32_t> low, high;  // halves of the key
+  Lane<std::uint32_t> robot, number;
+
+  void set(int i, RandomKey key, int of_robot, std::uint32_t with_number) {
+    low[i] = static_cast<std::uint32_t>(key.seed), high[i] = static_cast<std::uint32_t>(key.seed >> 32);
+    robot[i] = static_cast<std::uint32_t>(of_robot), number[i] = with_number;
+  }
+  std::array<std::uint32_t, 4> draw(int i, Draw purpose) const {
+    return sim::draw({low[i] | static_cast<std::uint64_t>(high[i]) << 32}, robot[i], purpose, number[i]);
+  }
 };
 
 namespace detail {
@@ -56,6 +86,13 @@ inline bool has_wide_lanes() { return false; }
 template <auto kernel, class... Args>
 void in_lanes(Args&... args) {
   detail::has_wide_lanes() ? detail::run_wide<kernel>(args...) : detail::run_narrow<kernel>(args...);
+}
+
+/// Calls each(items) for one part of `all` after the other, with at most kLanes items each.
+template <class Item, class Each>
+void in_blocks(std::span<Item> all, Each&& each) {
+  for (std::size_t begin = 0; begin < all.size(); begin += kLanes)
+    each(all.subspan(begin, std::min<std::size_t>(kLanes, all.size() - begin)));
 }
 
 }  // namespace sim

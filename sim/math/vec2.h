@@ -22,6 +22,8 @@ constexpr Vec2 operator*(float factor, Vec2 a) { return {factor * a.x, factor * 
 constexpr Vec2& operator+=(Vec2& a, Vec2 b) { return a = a + b; }
 constexpr Vec2& operator-=(Vec2& a, Vec2 b) { return a = a - b; }
 
+/// Returns `a` if `first` is true, `b` otherwise, without a branch.
+constexpr Vec2 select(bool first, Vec2 a, Vec2 b) { return {first ? a.x : b.x, first ? a.y : b.y}; }
 constexpr float dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 /// Returns a value > 0 when `b` is counter-clockwise of `a`.
 constexpr float cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }

@@ -1,5 +1,8 @@
 #include "sim/perception/ball_sight.h"
 
+#include <algorithm>
+
+#include "sim/math/lanes.h"
 #include "sim/perception/image.h"
 
 namespace sim::perception {
@@ -71,23 +74,13 @@ bool is_hidden(const PerceptionParams& params, const World& world, Vec2 eye, con
   return params.effects.official && line.meets(world.official.position, params.contact.official_radius);
 }
 
-/// Returns the age [ticks] of the newest detection in the last `steps` images, each with the probability `chance`, or
-/// `steps` when there is none. `luck` is uniform in [0, 1).
-Tick newest_detection(float chance, Tick steps, float luck) {
-  float none = 1 - chance;  // probability of no detection in the images so far
-  Tick ago = 0;
-  while (ago < steps && luck >= 1 - none) none *= 1 - chance, ++ago;
-  return ago;
-}
-
 /// Returns the statistics of the images that show the ball: the newest, `ago` ticks old, and `earlier` older ones, each
 /// with the probability `chance`.
-Images images_of(float chance, Tick earlier, Tick ago) {
-  const auto most = static_cast<float>(earlier);
-  const float count = 1 + chance * most;
-  const float sum = 0.5f * chance * most * (most + 1), squares = sum * (2 * most + 1) * (1.f / 3);
+Images images_of(float chance, float earlier, float ago) {
+  const float count = 1 + chance * earlier;
+  const float sum = 0.5f * chance * earlier * (earlier + 1), squares = sum * (2 * earlier + 1) * (1.f / 3);
   const float middle = sum / count;
-  return {count, (middle + static_cast<float>(ago)) * kTickDuration,
+  return {count, (middle + ago) * kTickDuration,
           (squares - sum * middle) * (kTickDuration * kTickDuration)};
 }
 
@@ -100,47 +93,161 @@ Vec2 velocity_error(const ImageNoise& noise, Vec2 place, float range, float heig
   return 1 / (range * std::sqrt(spread)) * turned(error, place);
 }
 
-/// Returns the percept of a ball in view, if it is detected. A body between camera and ball hides it; a body does not
-/// hide the ball at its own feet.
-BallPercept detect_ball(const PerceptionParams& params, const World& world, int robot, Tick steps,
-                        const Sighting& sighting) {
-  const auto& [model, effects, field, marks, contact, ball] = params;
-  const Body& body = world.bodies[robot];
-  const float range = std::sqrt(sighting.square);
-  std::array<std::uint32_t, 4> words{};
-  if (effects.missed_ball || effects.ball_noise)
-    words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::ball_seen, world.tick);
+/// The robots of one block that look for the ball.
+struct SightBlock {
+  // the body, its draws and the ball that the image shows
+  Lane<Vec2> position, facing, look, ball;
+  Lane<float> head_pitch;
+  DrawLanes draws;
+  Lane<std::int32_t> steps;  // images, 0 for a robot without eyes
+  // the newest detection
+  Lane<float> square, range;  // [m²], [m]
+  Lane<float> chance;         // of a detection in one image
+  Lane<float> luck, missed;   // a draw, and the probability of no detection in the images so far
+  Lane<std::int32_t> ago;     // [ticks] age of the newest detection; `steps`: there is none
+};
 
-  // detected in any of the images, and not hidden; in this order because the second test costs more
-  const float chance = effects.missed_ball ? probability(model.ball, range) : 1;
-  const Tick ago = newest_detection(chance, steps, uniform(words[0]));
-  if (ago == steps) return {};
-  if (effects.occlusion && is_hidden(params, world, body.position, sighting)) return {};
+/// The constants of a look for the ball.
+struct SightConstants {
+  const Model& model;
+  const Effects& effects;
+  float height;  // [m] of the camera above the ball
+};
 
-  // the measured place and velocity
-  BallPercept percept{.seen = true,
-                      .position = turned_back(sighting.to_it, body.facing),
-                      .velocity = turned_back(world.ball.velocity, body.facing),
-                      .ago = ago,
-                      .range = range};
-  if (effects.ball_noise) {
-    const Vec2 place = percept.position;
-    const ImageNoise noise = image_noise(model, body);
-    const Images images = percept.images = images_of(chance, steps - 1 - ago, ago);
-    auto errors = normals(words[1], words[2]);
-    const float less = 1 / std::sqrt(images.count);
-    for (float& error : errors) error *= less;
-    percept.position = seen_through(noise, place, range, sighting.height, kBeyondRange * model.ball.far_range, errors);
-    if (percept.position == Vec2{}) return {};
-    if (images.spread > 0 && range > 0) {
-      const auto more = draw(world.key, static_cast<std::uint32_t>(robot), Draw::ball_noise, world.tick);
-      const Vec2 error = velocity_error(noise, place, range, sighting.height, images.spread, normals(more[0], more[1]));
-      percept.velocity += error;
-      percept.position += images.middle * error;
+/// Decides which images show the ball, if nothing hides it.
+void detect_balls(SightBlock& block, const SightConstants& constants) {
+  const auto& [model, effects, height] = constants;
+  const std::int32_t everywhere = effects.limited_view ? 0 : 1;
+  const float least = effects.missed_ball ? 0 : 1;
+  SIM_FOR_LANES(i) {
+    const Vec2 to_it = block.ball[i] - block.position[i];
+    const Sighting sighting{to_it, squared_length(to_it), height};
+    const Vec2 look = turned(block.look[i], block.facing[i]);
+    const bool shown = in_view(model.camera, block.head_pitch[i], look, model.ball.far_range, sighting);
+    const float range = std::sqrt(sighting.square), chance = probability(model.ball, range);
+    block.square[i] = sighting.square;
+    block.range[i] = range;
+    block.chance[i] = chance < least ? least : chance;
+    block.steps[i] = ((shown ? 1 : 0) | everywhere) != 0 ? block.steps[i] : 0;
+  }
+
+  // go back from the newest image until one shows the ball
+  SIM_FOR_LANES(i) {
+    block.luck[i] = uniform(block.draws.draw(i, Draw::ball_seen)[0]);
+    block.missed[i] = 1 - block.chance[i];
+    block.ago[i] = 0;
+  }
+  const std::int32_t most = *std::max_element(block.steps.lane, block.steps.lane + kLanes);
+  for (std::int32_t step = 0; step < most; ++step) {
+    SIM_FOR_LANES(i) {
+      const bool none = (block.ago[i] == step) & (step < block.steps[i]) & (block.luck[i] >= 1 - block.missed[i]);
+      const float further = block.missed[i] * (1 - block.chance[i]);
+      block.ago[i] = none ? step + 1 : block.ago[i];
+      block.missed[i] = none ? further : block.missed[i];
     }
   }
-  percept.heat = heat_of(world, other(side_of(robot)), sighting.to_it + body.position);
-  return percept;
+}
+
+/// The robots of one block that detected the ball, and their percepts.
+struct PerceptBlock {
+  Lane<Vec2> position, facing, ball, velocity;
+  Lane<std::int32_t> stands;
+  DrawLanes draws;
+  Lane<float> range, chance, earlier, ago;
+  Lane<Vec2> place, speed;
+  Lane<float> count, middle, spread;
+};
+
+/// Measures the ball's place and velocity with the noise of the images.
+void measure_balls(PerceptBlock& block, const SightConstants& constants) {
+  const auto& [model, effects, height] = constants;
+  const ImageNoise standing = image_noise(model, true), walking = image_noise(model, false);
+  const float farthest = kBeyondRange * model.ball.far_range;
+  SIM_FOR_LANES(i) {
+    const bool stands = block.stands[i] != 0;
+    const ImageNoise noise{stands ? standing.elevation : walking.elevation, stands ? standing.bearing : walking.bearing};
+    const Vec2 place = turned_back(block.ball[i] - block.position[i], block.facing[i]);
+    const Vec2 velocity = turned_back(block.velocity[i], block.facing[i]);
+    const Images images = images_of(block.chance[i], block.earlier[i], block.ago[i]);
+    const auto words = block.draws.draw(i, Draw::ball_seen);
+    const auto errors = normals(words[1], words[2]);
+    const float less = 1 / std::sqrt(images.count);
+    const Seen seen =
+        seen_through(noise, place, block.range[i], height, farthest, {errors[0] * less, errors[1] * less});
+
+    // several images also show the velocity
+    const auto more = block.draws.draw(i, Draw::ball_noise);
+    const Vec2 error =
+        velocity_error(noise, place, block.range[i], height, images.spread, normals(more[0], more[1]));
+    const bool several = (images.spread > 0) & (block.range[i] > 0);
+    block.place.set(i, select(several, seen.place + images.middle * error, seen.place));
+    block.speed.set(i, select(several, velocity + error, velocity));
+    block.count[i] = seen.is_valid != 0 ? images.count : 0;
+    block.middle[i] = images.middle;
+    block.spread[i] = images.spread;
+  }
+}
+
+/// A ball that was detected in images, and is not hidden.
+struct Detected {
+  const Look* look;
+  BallPercept* percept;
+  float chance;
+  Tick earlier;  // images before the newest detection
+};
+
+void gather_detected(const PerceptionParams& params, const Detected& detected, int i, PerceptBlock& block) {
+  const World& world = *detected.look->world;
+  const Body& body = detected.look->body();
+  block.position.set(i, body.position);
+  block.facing.set(i, body.facing);
+  block.ball.set(i, shown_ball(params, world.ball));
+  block.velocity.set(i, world.ball.velocity);
+  block.stands[i] = body.doing == Body::Doing::standing ? 1 : 0;
+  block.draws.set(i, world.key, detected.look->robot, world.tick);
+  block.range[i] = detected.percept->range;
+  block.chance[i] = detected.chance;
+  block.earlier[i] = static_cast<float>(detected.earlier);
+  block.ago[i] = static_cast<float>(detected.percept->ago);
+}
+
+void scatter_percept(const PerceptBlock& block, int i, BallPercept& percept) {
+  percept.seen = block.count[i] != 0;
+  percept.position = block.place[i];
+  percept.velocity = block.speed[i];
+  percept.images = {block.count[i], block.middle[i], block.spread[i]};
+}
+
+/// Measures the balls with the noise of the images, or without any.
+void measure(const PerceptionParams& params, const SightConstants& constants, std::span<const Detected> all) {
+  if (!params.effects.ball_noise) {
+    for (const Detected& detected : all) {
+      const World& world = *detected.look->world;
+      const Body& body = detected.look->body();
+      detected.percept->position = turned_back(shown_ball(params, world.ball) - body.position, body.facing);
+      detected.percept->velocity = turned_back(world.ball.velocity, body.facing);
+    }
+    return;
+  }
+  PerceptBlock block{};
+  in_blocks(all, [&](std::span<const Detected> some) {
+    for (std::size_t i = 0; i < some.size(); ++i) gather_detected(params, some[i], static_cast<int>(i), block);
+    in_lanes<measure_balls>(block, constants);
+    for (std::size_t i = 0; i < some.size(); ++i) scatter_percept(block, static_cast<int>(i), *some[i].percept);
+  });
+}
+
+void gather_sight(const PerceptionParams& params, const Look& look, int i, SightBlock& block) {
+  const World& world = *look.world;
+  const Body& body = look.body();
+  block.position.set(i, body.position);
+  block.facing.set(i, body.facing);
+  block.look.set(i, body.look);
+  block.ball.set(i, shown_ball(params, world.ball));
+  block.head_pitch[i] = body.head_pitch;
+  block.draws.set(i, world.key, look.robot, world.tick);
+  const Tick images = look.beliefs->ball.visible ? look.steps : 1;
+  block.steps[i] = has_eyes(body) ? static_cast<std::int32_t>(images) : 0;
 }
 
 /// Returns occasionally a false ball at a random place in view.
@@ -154,23 +261,47 @@ BallPercept detect_false_ball(const PerceptionParams& params, const World& world
   const float range = kNearestFalse + uniform(words[1]) * (params.model.ball.far_range - kNearestFalse);
   const Vec2 place = turned(range * body.look, direction(camera.width * (uniform(words[2]) - 0.5f)));
   const Sighting sighting{turned(place, body.facing), range * range, camera.height - params.ball.radius};
-  if (!in_view(camera, body, look_of(body), params.model.ball.far_range, sighting)) return {};
+  if (!in_view(camera, body.head_pitch, look_of(body), params.model.ball.far_range, sighting)) return {};
   return {.seen = true, .position = place, .range = range};
 }
 
 }  // namespace
 
-BallPercept look_for_ball(const PerceptionParams& params, const World& world, int robot, Tick steps, bool followed) {
-  const Body& body = world.bodies[robot];
-  if (!has_eyes(body)) return {};
-  const Camera& camera = params.model.camera;
-  const Sighting sighting = sighting_of(body, shown_ball(params, world.ball), camera.height - params.ball.radius);
-  if (!params.effects.limited_view || in_view(camera, body, look_of(body), params.model.ball.far_range, sighting)) {
-    const BallPercept percept = detect_ball(params, world, robot, followed ? steps : 1, sighting);
-    if (percept.seen) return percept;
-  }
-  if (!params.effects.false_balls || world.tick % kFalseInterval != 0) return {};
-  return detect_false_ball(params, world, robot);
+void look_for_ball(const PerceptionParams& params, std::span<const Look> looks, std::span<BallPercept> percepts) {
+  const SightConstants constants{params.model, params.effects, params.model.camera.height - params.ball.radius};
+  SightBlock block{};
+  std::size_t number = 0;
+  in_blocks(looks, [&](std::span<const Look> some) {
+    for (std::size_t i = 0; i < some.size(); ++i) gather_sight(params, some[i], static_cast<int>(i), block);
+    in_lanes<detect_balls>(block, constants);
+
+    // a body between camera and ball hides it; a body does not hide the ball at its own feet
+    Detected detected[kLanes];
+    std::size_t count = 0;
+    for (std::size_t lane = 0; lane < some.size(); ++lane) {
+      const Look& look = some[lane];
+      const int i = static_cast<int>(lane);
+      BallPercept& percept = percepts[number++] = {};
+      if (block.ago[i] >= block.steps[i]) continue;
+      const Sighting sighting{block.ball[i] - block.position[i], block.square[i], constants.height};
+      if (params.effects.occlusion && is_hidden(params, *look.world, block.position[i], sighting)) continue;
+      percept.seen = true;
+      percept.ago = static_cast<Tick>(block.ago[i]);
+      percept.range = block.range[i];
+      percept.heat = heat_of(*look.world, other(side_of(look.robot)), sighting.to_it + block.position[i]);
+      const Tick images = look.beliefs->ball.visible ? look.steps : 1;
+      detected[count++] = {&look, &percept, block.chance[i], images - 1 - percept.ago};
+    }
+    measure(params, constants, {detected, count});
+
+    if (!params.effects.false_balls) return;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      BallPercept& percept = percepts[number - some.size() + i];
+      const World& world = *some[i].world;
+      if (!percept.seen && world.tick % kFalseInterval == 0 && has_eyes(some[i].body()))
+        percept = detect_false_ball(params, world, some[i].robot);
+    }
+  });
 }
 
 }  // namespace sim::perception

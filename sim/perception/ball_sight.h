@@ -1,6 +1,9 @@
 // The percept of the ball in an image: in view, hidden, detected, and with which noise.
 #pragma once
 
+#include <span>
+
+#include "sim/perception/look.h"
 #include "sim/perception/perception.h"
 
 namespace sim::perception {
@@ -23,13 +26,13 @@ struct BallPercept {
   float heat = 0;   // [0..1] how likely an opponent is about to kick the ball
 };
 
-/// Returns the percept of the last `steps` images of a robot, the newest at `world.tick`. Position and velocity are
-/// those of the straight line fitted through the places in all images; their errors follow from the noise of each
-/// image. Several images count only if the ball was `followed`: the image before them showed it too. Otherwise the head
-/// may have been turned away until the newest image.
+/// Computes the percepts[i] of looks[i]: of the robot's last `steps` images, the newest at `world.tick`. Position and
+/// velocity are those of the straight line fitted through the places in all images; their errors follow from the noise
+/// of each image. Several images count only if the ball is believed visible: the image before them showed it too.
+/// Otherwise the head may have been turned away until the newest image.
 ///
 /// Occasionally the newest image shows a false ball. False balls in earlier images are left out: teammates and the
 /// robot's own later images would have corrected them by now.
-BallPercept look_for_ball(const PerceptionParams& params, const World& world, int robot, Tick steps, bool followed);
+void look_for_ball(const PerceptionParams& params, std::span<const Look> looks, std::span<BallPercept> percepts);
 
 }  // namespace sim::perception

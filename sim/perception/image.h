@@ -5,7 +5,9 @@
 #pragma once
 
 #include <array>
+#include <cfloat>
 #include <cmath>
+#include <cstdint>
 
 #include "sim/math/angles.h"
 #include "sim/math/vec2.h"
@@ -31,18 +33,18 @@ inline Sighting sighting_of(const Body& body, Vec2 point, float height) {
 /// Returns the direction in which a robot looks [unit vector, field's axes].
 inline Vec2 look_of(const Body& body) { return turned(body.look, body.facing); }
 
-/// Reports whether a point is `angle` [rad] or more below the horizon, by sine and cosine.
-bool below_by_sine(float angle, const Sighting& sighting);
-/// Reports the same. Bounds of the tangent decide most cases.
+/// Reports whether a point is `angle` [rad] or more below the horizon.
 inline bool below(float angle, const Sighting& sighting) {
-  if (angle <= 0) return true;
   const float height = sighting.height * sighting.height;
-  if (angle >= kPi / 4) return height >= sighting.square && below_by_sine(angle, sighting);
-  // angle <= tan(angle), and up to 0.6 at most angle (1 + 0.4 angle²)
+  const SinCos edge = sin_cos(angle);
+  const bool by_sine = (angle < kPi / 2) & (height * edge.cos * edge.cos >= sighting.square * edge.sin * edge.sin);
+  // Bounds of the tangent decide most cases: angle <= tan(angle), and up to 0.6 at most angle (1 + 0.4 angle²). Rounding
+  // makes no difference to them, so a ball rolls into view at the same tick as without them.
   const float square = angle * angle, more = 1 + 0.4f * square;
   const float least = square * sighting.square;
-  if (height < least) return false;
-  return (square <= 0.36f && height >= more * more * least) || below_by_sine(angle, sighting);
+  const bool by_bound = (square <= 0.36f) & (height >= more * more * least);
+  const bool flat = (height >= least) & (by_bound | by_sine), steep = (height >= sighting.square) & by_sine;
+  return (angle <= 0) | ((angle >= kPi / 4) & steep) | ((angle < kPi / 4) & flat);
 }
 
 /// Returns cos² of half of `width` [rad], for width <= 3.1, within 1e-7: a series of a
@@ -54,13 +56,14 @@ inline float squared_cosine_of_half(float width) {
   return half * half;
 }
 
-/// Reports whether the camera of an upright body that looks along `look` shows a point. The point is not farther than
+/// Reports whether the camera of an upright robot that looks along `look` shows a point. The point is not farther than
 /// `farthest` [m], and it is between the edges of the image, which move with the head.
-inline bool in_view(const Camera& camera, const Body& body, Vec2 look, float farthest, const Sighting& sighting) {
+inline bool in_view(const Camera& camera, float head_pitch, Vec2 look, float farthest, const Sighting& sighting) {
   const float ahead = dot(sighting.to_it, look);
-  if (ahead <= 0 || sighting.square > farthest * farthest) return false;
-  return ahead * ahead >= squared_cosine_of_half(camera.width) * sighting.square &&
-         below(camera.upper_edge + body.head_pitch, sighting) && !below(camera.lower_edge + body.head_pitch, sighting);
+  const bool near = (ahead > 0) & (sighting.square <= farthest * farthest);
+  const bool beside = ahead * ahead < squared_cosine_of_half(camera.width) * sighting.square;
+  return near & !beside & below(camera.upper_edge + head_pitch, sighting) &
+         !below(camera.lower_edge + head_pitch, sighting);
 }
 
 /// The edges of the image on the ground, for tests of many points.
@@ -71,8 +74,21 @@ struct Window {
   float farthest;        // [m²] squared distance of the upper edge, or of the detection's range if that is nearer
 };
 
-/// Returns the window of a body's camera. `farthest` [m] is the detection's range.
-Window window_of(const Camera& camera, const Body& body, float farthest);
+/// Returns the squared distance of the ground `angle` [rad] below the horizon, seen from `height` [m]. [m²]
+inline float squared_ground(float height, float angle) {
+  const SinCos edge = sin_cos(angle);
+  const float cotangent = edge.cos / edge.sin;
+  const float square = height * height * cotangent * cotangent;
+  return angle <= 0 ? FLT_MAX : angle >= kPi / 2 ? 0 : square;
+}
+
+/// Returns the window of a camera that looks along `look` [unit vector]. `farthest` [m] is the detection's range.
+inline Window window_of(const Camera& camera, Vec2 look, float head_pitch, float farthest) {
+  const float horizon = squared_ground(camera.height, camera.upper_edge + head_pitch);
+  const float range = farthest * farthest;
+  return {look, squared_cosine_of_half(camera.width), squared_ground(camera.height, camera.lower_edge + head_pitch),
+          horizon < range ? horizon : range};
+}
 /// Reports whether a point on the ground is in the window.
 inline bool in_view(const Window& window, Vec2 to_it, float square) {
   // no branch, so that several points are tested together; the kept sign of `ahead` excludes points behind the robot
@@ -83,10 +99,10 @@ inline bool in_view(const Window& window, Vec2 to_it, float square) {
 
 /// Returns the probability that something `range` [m] away is detected.
 inline float probability(const Detection& detection, float range) {
-  if (range <= detection.near_range) return detection.near;
-  if (range >= detection.far_range) return range > detection.far_range ? 0 : detection.far;
   const float share = (range - detection.near_range) / (detection.far_range - detection.near_range);
-  return detection.near + share * (detection.far - detection.near);
+  const float between = detection.near + share * (detection.far - detection.near);
+  const float beyond = range > detection.far_range ? 0 : detection.far;
+  return range <= detection.near_range ? detection.near : range >= detection.far_range ? beyond : between;
 }
 
 /// The variances of the elevation and of the bearing in the image [rad²].
@@ -94,10 +110,10 @@ struct ImageNoise {
   float elevation;
   float bearing;
 };
-inline ImageNoise image_noise(const Model& model, const Body& body) {
+inline ImageNoise image_noise(const Model& model, bool stands) {
   const Noise& noise = model.noise;
   const float pixels = noise.pixels * model.camera.pixel_angle;
-  const float tilt = body.doing == Body::Doing::standing ? noise.tilt : noise.tilt_walking;
+  const float tilt = stands ? noise.tilt : noise.tilt_walking;
   return {tilt * tilt + pixels * pixels, noise.roll * noise.roll + pixels * pixels};
 }
 
@@ -112,20 +128,26 @@ inline float percept_variance(const ImageNoise& noise, float squared_range, floa
   return 0.5f * (per_radian * per_radian * noise.elevation + squared_range * noise.bearing);
 }
 
+/// The place of a thing in an image.
+struct Seen {
+  Vec2 place;     // [m, robot]
+  std::int32_t is_valid;  // 0: above the horizon, or beyond the farthest percept; no bool, which lanes do not like
+};
+
 /// Returns where a thing at `place` [m, robot], `range` [m] away and `height` [m] below the camera, seems to be.
-/// `errors` are those of elevation and bearing, in standard deviations. Returns (0, 0), which no real percept has, if
-/// the thing seems to be above the horizon or farther than `farthest` [m].
-inline Vec2 seen_through(const ImageNoise& noise, Vec2 place, float range, float height, float farthest,
+/// `errors` are those of elevation and bearing, in standard deviations. A percept farther than `farthest` [m] is not
+/// valid.
+inline Seen seen_through(const ImageNoise& noise, Vec2 place, float range, float height, float farthest,
                          std::array<float, 2> errors) {
   // tan(a + ε) for the elevation a with tan a = height / range; then height / tan(a + ε) is the seen range
   const float tilt = std::sqrt(noise.elevation) * errors[0];
   const float slope = height + range * tilt;
   const float share = height * (range - height * tilt);
   const float longest = farthest * slope;
-  if (slope <= 0 || share <= 0 || share > longest) return {};
+  const bool beyond = (slope <= 0) | (share <= 0) | (share > longest);
 
   const float turn = std::sqrt(noise.bearing) * errors[1];
-  return share / (slope * range) * Vec2{place.x - turn * place.y, place.y + turn * place.x};
+  return {share / (slope * range) * Vec2{place.x - turn * place.y, place.y + turn * place.x}, beyond ? 0 : 1};
 }
 
 }  // namespace sim::perception

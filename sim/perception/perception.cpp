@@ -1,8 +1,11 @@
 #include "sim/perception/perception.h"
 
+#include <array>
+
 #include "sim/perception/ball_filter.h"
 #include "sim/perception/ball_sight.h"
 #include "sim/perception/localisation.h"
+#include "sim/perception/odometry.h"
 #include "sim/perception/robots_sight.h"
 
 namespace sim::perception {
@@ -28,6 +31,16 @@ agent::Pose rough_pose(const Localisation& model, const World& world, int robot)
   return belief;
 }
 
+/// Lets the robots look at the marks whose `mark_interval` is over.
+void look_round_in_time(const PerceptionParams& params, std::span<const Look> looks) {
+  const Tick interval = ticks(params.model.localisation.mark_interval);
+  std::array<Look, kMostLooks> due;
+  std::size_t count = 0;
+  for (const Look& look : looks)
+    if (look.world->tick % interval < look.steps) due[count++] = look;
+  look_round(params, {due.data(), count});
+}
+
 }  // namespace
 
 void enter(const PerceptionParams& params, const World& world, int robot, agent::Beliefs& beliefs,
@@ -44,19 +57,22 @@ void enter(const PerceptionParams& params, const World& world, int robot, agent:
   beliefs.pose = rough_pose(params.model.localisation, world, robot);
 }
 
-void perceive(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
-              Cognition& cognition) {
-  const Body& body = world.bodies[robot];
-
+void perceive(const PerceptionParams& params, std::span<const Look> looks) {
   // prediction by the robot's own odometry
-  const Odometry odometry = read_odometry(body, cognition);
-  predict(params, odometry, steps, beliefs.ball);
-  localise(params, world, robot, steps, odometry, beliefs.pose, cognition);
+  predict(params, looks);
+  if (params.effects.odometry_drift) {
+    if (params.effects.lost_pose)
+      for (const Look& look : looks)
+        if (fell(look.body(), look.world->tick, look.steps))
+          lose_pose(params.model.localisation, *look.world, look.robot, look.beliefs->pose);
+    look_round_in_time(params, looks);
+  }
 
   // correction by the images
-  const BallPercept percept = look_for_ball(params, world, robot, steps, beliefs.ball.visible);
-  update(params, body, percept, steps, world.tick, beliefs.ball);
-  look_for_opponents(params, world, robot, steps, beliefs);
+  std::array<BallPercept, kMostLooks> percepts;
+  look_for_ball(params, looks, percepts);
+  update(params, looks, percepts);
+  look_for_opponents(params, looks);
 }
 
 }  // namespace sim::perception

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "sim/agent/beliefs.h"
 #include "sim/agent/mind.h"
@@ -9,6 +10,7 @@
 #include "sim/field/rules.h"
 #include "sim/math/tick.h"
 #include "sim/perception/cognition.h"
+#include "sim/perception/look.h"
 #include "sim/perception/model.h"
 #include "sim/world/effects.h"
 #include "sim/world/model.h"
@@ -31,10 +33,9 @@ struct PerceptionParams {
 void enter(const PerceptionParams& params, const World& world, int robot, agent::Beliefs& beliefs,
            Cognition& cognition);
 
-/// Updates the beliefs of a robot `steps` ticks after its last perception: odometry predicts them, the images up to
-/// `world.tick` correct them. Cheap when the view is empty.
-void perceive(const PerceptionParams& params, const World& world, int robot, Tick steps, agent::Beliefs& beliefs,
-              Cognition& cognition);
+/// Updates the beliefs of robots of any number of games with these parameters: odometry predicts them, the images up to
+/// `world.tick` correct them. At most kMostLooks at once; no look depends on another one. Cheap when the view is empty.
+void perceive(const PerceptionParams& params, std::span<const Look> looks);
 
 /// Returns the packet that the robot would send to its team now.
 agent::Mate packet_of(const agent::Beliefs& beliefs, const agent::Mind& mind, bool penalised, Tick now);

@@ -1,37 +1,122 @@
 #include "sim/perception/robots_sight.h"
 
+#include <array>
+
+#include "sim/math/lanes.h"
+#include "sim/perception/image.h"
+
 namespace sim::perception {
 namespace {
 
 constexpr float kBeyondRobotRange = 1.5f;  // [ranges] a percept that seems to be farther away is dropped
 
+/// A look for one opponent. `number` distinguishes the draws of one robot.
+struct Glance {
+  const Look* look;
+  int opponent;
+  std::uint32_t number;
+};
+
+/// The robots of one block, each with an opponent.
+struct GlanceBlock {
+  Lane<Vec2> position, facing, look, other;
+  Lane<float> head_pitch;
+  Lane<std::int32_t> stands;
+  DrawLanes draws;
+  Lane<Vec2> believed;  // position of the own believed pose [team_field]
+  Lane<float> believed_heading;
+  Lane<Vec2> place;  // [team_field]
+  Lane<std::int32_t> seen;
+};
+
+/// The constants of a look for opponents.
+struct GlanceConstants {
+  const Model& model;
+  std::int32_t everywhere;  // 1: the view is not limited
+  std::int32_t certain;     // 1: each one in view is detected
+  std::int32_t exact;       // 1: without noise
+};
+
+void glance_at_opponents(GlanceBlock& block, const GlanceConstants& constants) {
+  const auto& [model, everywhere, certain, exact] = constants;
+  const ImageNoise standing = image_noise(model, true), walking = image_noise(model, false);
+  const float farthest = kBeyondRobotRange * model.robots.far_range;
+  SIM_FOR_LANES(i) {
+    // its feet must be in view
+    const Vec2 to_it = block.other[i] - block.position[i];
+    const Sighting sighting{to_it, squared_length(to_it), model.camera.height};
+    const Vec2 look = turned(block.look[i], block.facing[i]);
+    const bool in_image = in_view(model.camera, block.head_pitch[i], look, model.robots.far_range, sighting);
+
+    // the detection and its noise
+    const float range = std::sqrt(sighting.square);
+    const auto words = block.draws.draw(i, Draw::opponent_seen);
+    const bool detected = uniform(words[0]) < probability(model.robots, range);
+    const bool stands = block.stands[i] != 0;
+    const ImageNoise noise{stands ? standing.elevation : walking.elevation, stands ? standing.bearing : walking.bearing};
+    const Vec2 place = turned_back(to_it, block.facing[i]);
+    const Seen seen = seen_through(noise, place, range, sighting.height, farthest, normals(words[1], words[2]));
+    const Vec2 believed = select(exact != 0, place, seen.place);
+    block.place.set(i, block.believed[i] + turned(believed, direction(block.believed_heading[i])));
+    block.seen[i] =
+        ((in_image ? 1 : 0) | everywhere) & ((detected ? 1 : 0) | certain) & (seen.is_valid | exact);
+  }
+}
+
+void gather_glance(const Glance& glance, int i, GlanceBlock& block) {
+  const Look& look = *glance.look;
+  const Body& body = look.body();
+  block.position.set(i, body.position);
+  block.facing.set(i, body.facing);
+  block.look.set(i, body.look);
+  block.other.set(i, look.world->bodies[glance.opponent].position);
+  block.head_pitch[i] = body.head_pitch;
+  block.stands[i] = body.doing == Body::Doing::standing ? 1 : 0;
+  block.draws.set(i, look.world->key, look.robot, glance.number);
+  const Pose2& pose = look.beliefs->pose.pose;
+  block.believed.set(i, pose.position);
+  block.believed_heading[i] = pose.heading;
+}
+
+void look_at(const PerceptionParams& params, std::span<const Glance> glances) {
+  const Effects& effects = params.effects;
+  const GlanceConstants constants{params.model, effects.limited_view ? 0 : 1, effects.missed_ball ? 0 : 1,
+                                  effects.ball_noise ? 0 : 1};
+  GlanceBlock block{};
+  in_blocks(glances, [&](std::span<const Glance> some) {
+    for (std::size_t i = 0; i < some.size(); ++i) gather_glance(some[i], static_cast<int>(i), block);
+    in_lanes<glance_at_opponents>(block, constants);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      if (block.seen[static_cast<int>(i)] == 0) continue;
+      const Look& look = *some[i].look;
+      look.beliefs->opponents[player_of(some[i].opponent) - 1] = {block.place[static_cast<int>(i)], look.world->tick};
+    }
+  });
+}
+
 }  // namespace
 
-void look_for_opponent(const PerceptionParams& params, const World& world, int robot, int opponent,
-                       std::uint32_t number, agent::Beliefs& beliefs) {
-  const auto& [model, effects, field, marks, contact, ball] = params;
-  const Body& body = world.bodies[robot];
-  const Body& other = world.bodies[opponent];
-  if (!has_eyes(body) || other.doing == Body::Doing::removed) return;
-
-  // its feet must be in view
-  const Sighting sighting = sighting_of(body, other.position, model.camera.height);
-  if (effects.limited_view && !in_view(model.camera, body, look_of(body), model.robots.far_range, sighting)) return;
-  Vec2 place = turned_back(sighting.to_it, body.facing);
-
-  // the detection and its noise
-  if (effects.missed_ball || effects.ball_noise) {
-    const float range = std::sqrt(sighting.square);
-    const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::opponent_seen, number);
-    if (effects.missed_ball && uniform(words[0]) >= probability(model.robots, range)) return;
-    if (effects.ball_noise) {
-      place = seen_through(image_noise(model, body), place, range, sighting.height,
-                           kBeyondRobotRange * model.robots.far_range, normals(words[1], words[2]));
-      if (place == Vec2{}) return;
+void look_for_opponents(const PerceptionParams& params, std::span<const Look> looks) {
+  std::array<Glance, kMostLooks * kMaxPlayers> glances;
+  std::size_t count = 0;
+  for (const Look& look : looks) {
+    const World& world = *look.world;
+    const int first = robot_of(other(side_of(look.robot)), 1);
+    const auto glance_at = [&](int opponent, std::uint32_t number) {
+      if (world.bodies[opponent].doing != Body::Doing::removed) glances[count++] = {&look, opponent, number};
+    };
+    if (!has_eyes(look.body())) continue;
+    if (!params.effects.limited_view) {
+      for (int i = 0; i < world.players; ++i)
+        glance_at(first + i, world.tick * kMaxPlayers + static_cast<std::uint32_t>(i));
+      continue;
     }
+    // the opponent whose turn came since the last call
+    if (look.steps <= kGlance && world.tick % kGlance >= look.steps) continue;
+    const Tick turn = world.tick / (look.steps <= kGlance ? kGlance : look.steps);
+    glance_at(first + static_cast<int>(turn % static_cast<Tick>(world.players)), world.tick);
   }
-  const Pose2& pose = beliefs.pose.pose;
-  beliefs.opponents[player_of(opponent) - 1] = {pose.position + turned(place, direction(pose.heading)), world.tick};
+  look_at(params, {glances.data(), count});
 }
 
 }  // namespace sim::perception

@@ -68,7 +68,8 @@ class Follower {
       if (moment.falls) sim::perception::lose_pose(model_.localisation, world_, 0, beliefs_.pose);
       if (moment.at >= look_at) {
         look_at = moment.at + static_cast<double>(model_.localisation.mark_interval) - 1e-3;
-        sim::perception::look_round(perception_, world_, 0, 1, beliefs_.pose, cognition_);
+        const sim::perception::Look look{&world_, &beliefs_, &cognition_, 0, 1};
+        sim::perception::look_round(perception_, {&look, 1});
       }
       if (moment.counts) see(error_of(moment));
       last_ = moment.pose;
