@@ -46,20 +46,22 @@ void glance_at_opponents(GlanceBlock& block, const GlanceConstants& constants) {
     const Vec2 to_it = block.other[i] - block.position[i];
     const Sighting sighting{to_it, squared_length(to_it), model.camera.height};
     const Vec2 look = turned(block.look[i], block.facing[i]);
-    const bool in_image = in_view(model.camera, block.head_pitch[i], look, model.robots.far_range, sighting);
-
+    const bool shown = in_view(model.camera, block.head_pitch[i], look, model.robots.far_range, sighting);
+    block.seen[i] = (shown ? 1 : 0) | everywhere;
+  }
+  SIM_FOR_LANES(i) {
     // the detection and its noise
-    const float range = std::sqrt(sighting.square);
+    const Vec2 to_it = block.other[i] - block.position[i];
+    const float range = std::sqrt(squared_length(to_it));
     const auto words = block.draws.draw(i, Draw::opponent_seen);
     const bool detected = uniform(words[0]) < probability(model.robots, range);
     const bool stands = block.stands[i] != 0;
     const ImageNoise noise{stands ? standing.elevation : walking.elevation, stands ? standing.bearing : walking.bearing};
     const Vec2 place = turned_back(to_it, block.facing[i]);
-    const Seen seen = seen_through(noise, place, range, sighting.height, farthest, normals(words[1], words[2]));
+    const Seen seen = seen_through(noise, place, range, model.camera.height, farthest, normals(words[1], words[2]));
     const Vec2 believed = select(exact != 0, place, seen.place);
     block.place.set(i, block.believed[i] + turned(believed, direction(block.believed_heading[i])));
-    block.seen[i] =
-        ((in_image ? 1 : 0) | everywhere) & ((detected ? 1 : 0) | certain) & (seen.is_valid | exact);
+    block.seen[i] &= ((detected ? 1 : 0) | certain) & (seen.is_valid | exact);
   }
 }
 
