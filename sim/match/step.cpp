@@ -1,7 +1,9 @@
 #include "sim/match/step.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <span>
 
 #include "sim/match/pace.h"
 #include "sim/motion/motion.h"
@@ -9,13 +11,15 @@
 #include "sim/referee/referee.h"
 #include "sim/world/contact.h"
 
-// Read this file from the bottom: `step` is one tick of a game, and each function above it is one part of that.
+// Read this file from the bottom: `step_many` is one tick of many games, and each function above it is one part of that.
+// All games pass through one part before the next: it takes the robots that are due, of all games, as one list.
 //
-//   step ─ act ─── think ─ perception::perceive, Behaviour::decide, wait_of
-//        │       ├ talk ── perception::transmit, perception::receive
-//        │       └ move ── motion::move, motion::turn_head
-//        ├ meet ── keep_bodies_apart, bounce_ball
-//        └ judge ─ referee::judge
+//   step_many ─ act ──── perceive ── perception::perceive
+//             │        ├ think ───── Behaviour::decide, wait_of
+//             │        ├ talk ────── perception::transmit, perception::receive
+//             │        └ move ────── motion::move, motion::turn_head
+//             ├ meet ── keep_bodies_apart, bounce_ball
+//             └ judge ─ referee::judge
 namespace sim {
 namespace {
 
@@ -28,22 +32,13 @@ const Team& team_of(const Params& params, int robot) { return params.teams[stati
 /// Returns the models of ball and contacts. Both sides share those of the home side.
 const Models& common(const Params& params) { return params.teams[0].models; }
 
-/// The parameters of one robot, sorted by the part of the simulator that reads them.
-struct RobotParams {
-  const Team& team;
-  perception::PerceptionParams perception;
-  motion::MotionParams motion;
-  agent::Surroundings surroundings;
-};
+perception::PerceptionParams perception_params(const Params& params, const Models& own) {
+  const Models& shared = common(params);
+  return {own.perception, own.effects, params.rules.field, params.marks, shared.contact, shared.ball};
+}
 
-RobotParams robot_params(const Params& params, int robot) {
-  const Team& team = team_of(params, robot);
-  const Models& own = team.models_of(player_of(robot));
-  const BallModel& ball = common(params).ball;
-  return {team,
-          {own.perception, own.effects, params.rules.field, params.marks, common(params).contact, ball},
-          {own.motion, own.effects, ball},
-          {&params.rules, &own.motion}};
+motion::MotionParams motion_params(const Params& params, const Models& own) {
+  return {own.motion, own.effects, common(params).ball};
 }
 
 referee::RefereeParams referee_params(const Params& params) {
@@ -108,16 +103,72 @@ void hear_penalties(const State& state, int robot, agent::Beliefs& beliefs) {
   }
 }
 
-/// Updates the robot's beliefs from the world, decides a command from the beliefs, and schedules the next turn.
-void think(const Params& params, const RobotParams& own, State& state, int robot, agent::Trace* trace) {
+/// One robot of one game.
+struct Actor {
+  State* state;
+  int robot;
+
+  Robot& self() const { return state->robots[robot]; }
+};
+
+/// A list of robots that are due in a tick, at most kMostGames * kMaxRobots.
+class Actors {
+ public:
+  void add(State& state, int robot) { list_[count_++] = {&state, robot}; }
+  const Actor* begin() const { return list_.data(); }
+  const Actor* end() const { return list_.data() + count_; }
+
+ private:
+  std::array<Actor, kMostGames * kMaxRobots> list_;
+  std::size_t count_ = 0;
+};
+
+/// Calls pass(models, actors) for the robots with the same models, at most kMostLooks at once. The order of the robots of
+/// a game is kept.
+template <class Pass>
+void for_each_model(const Params& params, const Actors& actors, Pass&& pass) {
+  std::array<Actor, perception::kMostLooks> alike;
+  std::size_t count = 0;
+  const Models* models = nullptr;
+  const auto flush = [&] {
+    if (count > 0) pass(*models, std::span<const Actor>{alike.data(), count});
+    count = 0;
+  };
+  const auto take = [&](const Actor& actor, const Models& own) {
+    if (&own != models || count == alike.size()) flush();
+    models = &own;
+    alike[count++] = actor;
+  };
+  // one side after the other, so that their models change once
+  for (const Side side : {Side::home, Side::away})
+    for (const Actor& actor : actors)
+      if (side_of(actor.robot) == side) take(actor, models_of(params, actor.robot));
+  flush();
+}
+
+/// Updates the beliefs from the world.
+void perceive(const Params& params, const Actors& actors) {
+  for_each_model(params, actors, [&](const Models& models, std::span<const Actor> alike) {
+    std::array<perception::Look, perception::kMostLooks> looks;
+    for (std::size_t i = 0; i < alike.size(); ++i) {
+      const auto [state, robot] = alike[i];
+      Robot& self = state->robots[robot];
+      looks[i] = {&state->world, &self.beliefs, &self.cognition, robot, state->schedule.lag[robot]};
+    }
+    perception::perceive(perception_params(params, models), {looks.data(), alike.size()});
+  });
+}
+
+/// Decides a command from the beliefs, and schedules the robot's next turn.
+void think(const Params& params, State& state, int robot, agent::Trace* trace) {
   Robot& self = state.robots[robot];
   const Tick now = state.world.tick, steps = state.schedule.lag[robot];
-  const perception::Look look{&state.world, &self.beliefs, &self.cognition, robot, steps};
-  perception::perceive(own.perception, {&look, 1});
   if (referee::in_play(state.book) && self.beliefs.ball.visible) state.counts.seen[robot] += steps;
   hear_penalties(state, robot, self.beliefs);
+  const agent::Surroundings surroundings{&params.rules, &models_of(params, robot).motion};
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);
-  self.command = own.team.behaviour->decide(own.surroundings, game, self.beliefs, now, self.mind, trace);
+  self.command =
+      team_of(params, robot).behaviour->decide(surroundings, game, self.beliefs, now, self.mind, trace);
   const Wait wait = wait_of(params, state, robot);
   state.schedule.lag[robot] = static_cast<std::uint8_t>(wait.turn);
   state.world.bodies[robot].glide = static_cast<std::uint8_t>(wait.move);
@@ -126,14 +177,15 @@ void think(const Params& params, const RobotParams& own, State& state, int robot
 
 /// Moves the body on with its command, at most up to the robot's next turn. The head moves once, at the end of that
 /// time: no image is taken before.
-void move(const RobotParams& own, State& state, int robot) {
+void move(const Params& params, State& state, int robot) {
+  const motion::MotionParams own = motion_params(params, models_of(params, robot));
   const Robot& self = state.robots[robot];
   Body& body = state.world.bodies[robot];
   const Tick now = state.world.tick, left = state.schedule.turn[robot] - now;
   const Tick steps = std::min<Tick>(body.glide, left);
-  motion::move(own.motion, self.command, robot, steps, state.world);
+  motion::move(own, self.command, robot, steps, state.world);
   body.moved = static_cast<std::uint8_t>(now + steps);
-  if (steps == left) motion::turn_head(own.motion, self.command, self.cognition.last, state.schedule.lag[robot], body);
+  if (steps == left) motion::turn_head(own, self.command, self.cognition.last, state.schedule.lag[robot], body);
 }
 
 /// Returns the remaining time of the whole game [s].
@@ -186,22 +238,43 @@ void talk(const Params& params, State& state, int robot) {
   if (is_due()) deliver(params, state, robot);
 }
 
-/// Lets the robots that are due perceive, decide, communicate and move. Returns whether any body may have moved.
-bool act(const Params& params, State& state, int traced, agent::Trace* trace) {
-  // all robots that have a turn see the same world: no body has moved yet
-  const Due due = due_in(state);
-  for_each_of(due.turns, [&](int robot) {
-    think(params, robot_params(params, robot), state, robot,
-          traced == kEverybody ? trace + robot
-          : traced == robot    ? trace
-                               : nullptr);
-  });
-  for_each_of(due.radios, [&](int robot) { talk(params, state, robot); });
-  for_each_of(due.moves, [&](int robot) { move(robot_params(params, robot), state, robot); });
+/// Receives the decision traces of all robots, of one, or of none.
+struct Tracing {
+  int traced = -1;
+  agent::Trace* traces = nullptr;
 
-  // until then `step` skips this function
-  state.schedule.next = earliest_of(state);
-  return due.moves != 0;
+  agent::Trace* of(int robot) const {
+    return traced == kEverybody ? traces + robot : traced == robot ? traces : nullptr;
+  }
+};
+
+/// The games of one call, and whether their bodies may have moved in this tick.
+struct Round {
+  std::span<State* const> games;
+  std::array<bool, kMostGames> bodies_move{};
+};
+
+/// Lets the robots that are due perceive, decide, communicate and move.
+void act(const Params& params, Round& round, const Tracing& tracing) {
+  // all robots that have a turn see the same world: no body has moved yet
+  Actors turns, radios, moves;
+  for (std::size_t i = 0; i < round.games.size(); ++i) {
+    State& state = *round.games[i];
+    if (state.schedule.next > state.world.tick) continue;
+    const Due due = due_in(state);
+    for_each_of(due.turns, [&](int robot) { turns.add(state, robot); });
+    for_each_of(due.radios, [&](int robot) { radios.add(state, robot); });
+    for_each_of(due.moves, [&](int robot) { moves.add(state, robot); });
+    round.bodies_move[i] = due.moves != 0;
+  }
+  perceive(params, turns);
+  for (const auto& [state, robot] : turns) think(params, *state, robot, tracing.of(robot));
+  for (const auto& [state, robot] : radios) talk(params, *state, robot);
+  for (const auto& [state, robot] : moves) move(params, *state, robot);
+
+  // until then `act` skips the game
+  for (State* const state : round.games)
+    if (state->schedule.next <= state->world.tick) state->schedule.next = earliest_of(*state);
 }
 
 /// Rolls the ball and resolves contacts: robots with robots, the ball with robots and posts.
@@ -242,7 +315,7 @@ void enter(const Params& params, State& state, int robot) {
   // mirrored robots begin their search in mirrored directions
   const float sign = attack_sign(state.world, side_of(robot));
   self.mind.search_side = agent::left_or_right(sign * state.world.bodies[robot].position.y);
-  perception::enter(robot_params(params, robot).perception, state.world, robot, self.beliefs, self.cognition);
+  perception::enter(perception_params(params, models_of(params, robot)), state.world, robot, self.beliefs, self.cognition);
 }
 
 State begin(const Params& params, RandomKey key, referee::Events& events) {
@@ -255,15 +328,37 @@ State begin(const Params& params, RandomKey key, referee::Events& events) {
   return state;
 }
 
+namespace {
+
+void step_round(const Params& params, std::span<State* const> games, referee::Events* events, const Tracing& tracing) {
+  Round round{games};
+  std::array<bool, kMostGames> touched;
+  for (std::size_t i = 0; i < games.size(); ++i) {
+    World& world = games[i]->world;
+    touched[i] = world.touched != kNobody;
+    events[i].count = 0;
+    world.touched = world.kicked = world.whiffed = kNobody;
+  }
+  act(params, round, tracing);
+  for (std::size_t i = 0; i < games.size(); ++i) {
+    meet(params, round.bodies_move[i], touched[i], games[i]->world);
+    judge(params, *games[i], events[i]);
+    ++games[i]->world.tick;
+  }
+}
+
+}  // namespace
+
+void step_many(const Params& params, std::span<State* const> games, std::span<referee::Events> events) {
+  for (std::size_t begin = 0; begin < games.size(); begin += kMostGames) {
+    const std::size_t count = std::min(kMostGames, games.size() - begin);
+    step_round(params, games.subspan(begin, count), &events[begin], {});
+  }
+}
+
 void step(const Params& params, State& state, referee::Events& events, int traced, agent::Trace* trace) {
-  World& world = state.world;
-  const bool touched = world.touched != kNobody;
-  events.count = 0;
-  world.touched = world.kicked = world.whiffed = kNobody;
-  const bool bodies_move = state.schedule.next <= world.tick && act(params, state, traced, trace);
-  meet(params, bodies_move, touched, world);
-  judge(params, state, events);
-  ++world.tick;
+  State* const game = &state;
+  step_round(params, {&game, 1}, &events, {traced, trace});
 }
 
 bool finished(const State& state) { return state.book.phase == agent::Game::Phase::finished; }
