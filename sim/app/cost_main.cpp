@@ -1,7 +1,9 @@
-// sim_cost [GAMES]: the cost of a spl2012 game and of a State, as one line of JSON. Needs only the standard library.
+// sim_cost [GAMES [together]]: the cost of a spl2012 game and of a State, as one line of JSON. With `together`, all games
+// are played side by side. Needs only the standard library.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <vector>
 
 #include "sim/app/cycles.h"
@@ -37,8 +39,10 @@ double copy_ns(const Params& params) {
 
 int main(int count, char** words) {
   const int games = count > 1 ? std::atoi(words[1]) : 20;
-  if (games < 1 || count > 2) {
-    std::fprintf(stderr, "sim_cost: expected how many games, at least 1, got '%s'\n", count > 1 ? words[1] : "");
+  const bool together = count == 3 && std::strcmp(words[2], "together") == 0;
+  if (games < 1 || count > (together ? 3 : 2)) {
+    std::fprintf(stderr, "sim_cost: expected how many games, at least 1, and perhaps 'together', got '%s'\n",
+                 count > 1 ? words[count - 1] : "");
     return 2;
   }
   const auto prepared = io::prepare({});
@@ -49,14 +53,21 @@ int main(int count, char** words) {
 
   play_game(prepared->params, {.seed = 0});  // warms the caches and the clock
   std::vector<double> game_ms, cycles;
-  for (int game = 1; game <= games; ++game) {
+  const auto measure = [&](int first, int number) {
+    std::vector<RandomKey> keys;
+    for (int game = first; game < first + number; ++game) keys.push_back({.seed = static_cast<std::uint64_t>(game)});
     const double clock = app::cycles_per_ns();
     const std::uint64_t begin = app::computed_ns();
-    const Result result = play_game(prepared->params, {.seed = static_cast<std::uint64_t>(game)});
+    Tick ticks = 0;
+    for (const Result& result : play_games(prepared->params, keys)) ticks += result.ticks;
     const auto ns = static_cast<double>(app::computed_ns() - begin);
-    game_ms.push_back(ns / 1e6);
-    cycles.push_back(ns * clock / (2.0 * prepared->params.rules.players * result.ticks));
-  }
+    game_ms.push_back(ns / 1e6 / number);
+    cycles.push_back(ns * clock / (2.0 * prepared->params.rules.players * ticks));
+  };
+  if (together)
+    measure(1, games);
+  else
+    for (int game = 1; game <= games; ++game) measure(game, 1);
   std::printf("{\"games\":%d,\"game_ms\":%g,\"robot_tick_cycles\":%g,\"state_bytes\":%u,\"copy_ns\":%g}\n", games,
               median_of(game_ms), median_of(cycles), static_cast<unsigned>(sizeof(State)), copy_ns(prepared->params));
   return 0;

@@ -56,4 +56,28 @@ Result play_game(const Params& params, RandomKey key) {
   return play_on(params, state, kNever, result);
 }
 
+std::vector<Result> play_games(const Params& params, std::span<const RandomKey> keys) {
+  struct Game {
+    State state;
+    Result* result = nullptr;
+
+    bool goes_on() const { return true; }
+    void hear(const referee::Event& event) const { result->count(event); }
+  };
+  std::vector<Result> results(keys.size());
+  std::vector<Game> games(std::min(keys.size(), kTogether));
+  std::size_t begun = 0;
+  play_many<Game>(params, games.size(), [&](Game* game) -> Game* {
+    if (game != nullptr) sum_up(game->state, *game->result);
+    if (begun == keys.size()) return nullptr;
+    if (game == nullptr) game = &games[begun];
+    game->result = &results[begun];
+    referee::Events events;
+    game->state = begin(params, keys[begun++], events);
+    for (int i = 0; i < events.count; ++i) game->hear(events.list[static_cast<std::size_t>(i)]);
+    return game;
+  });
+  return results;
+}
+
 }  // namespace sim

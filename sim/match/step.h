@@ -24,6 +24,8 @@ void step(const Params& params, State& state, referee::Events& events, int trace
 
 /// The most games that one pass takes together.
 inline constexpr std::size_t kMostGames = 64;
+/// The number of games that are usually played together: more fill the lanes no better.
+inline constexpr std::size_t kTogether = 32;
 
 /// Plays one tick of each game, to the same bits as `step`. Writes the events of games[i] to events[i]. The games share
 /// their parameters, but not their ticks. Most efficient with 16 to kMostGames games. Allocates nothing.
