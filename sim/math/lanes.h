@@ -27,7 +27,8 @@ namespace sim {
 /// Number of lanes of a block.
 inline constexpr int kLanes = 8;
 
-/// One value in each lane.
+/// One value in each lane. The lanes beyond the last robot of a block are copies of it, or keep old
+/// values; their results are not read.
 template <class T>
 struct alignas(sizeof(T) * kLanes) Lane {
   T lane[kLanes];
@@ -44,6 +45,13 @@ struct alignas(sizeof(float) * kLanes) Lane<Vec2> {
   constexpr Vec2 operator[](int i) const { return {x[i], y[i]}; }
   constexpr void set(int i, Vec2 value) { x[i] = value.x, y[i] = value.y; }
 };
+
+/// Reports whether any lane is not 0. A pass over lanes that nobody needs can be left out.
+inline bool any(const Lane<std::int32_t>& lanes) {
+  std::int32_t bits = 0;
+  for (int i = 0; i < kLanes; ++i) bits |= lanes[i];
+  return bits != 0;
+}
 
 /// The address of a random number in each lane (sim/math/random.h), without its purpose.
 struct DrawLanes {

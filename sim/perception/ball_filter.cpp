@@ -100,7 +100,7 @@ void believe_percepts(FilterBlock& block, const FilterConstants& constants) {
 struct Percipient {
   const Look* look;
   const BallPercept* percept;
-  bool believed = true;
+  bool believed;
 };
 
 void gather_percept(const Percipient& one, int i, FilterBlock& block) {
@@ -127,7 +127,7 @@ void believe(const PerceptionParams& params, std::span<Percipient> all) {
     return;
   }
   const FilterConstants constants{params.model, params.model.camera.height - params.ball.radius};
-  FilterBlock block{};
+  FilterBlock block;
   in_blocks(all, [&](std::span<Percipient> some) {
     for (std::size_t i = 0; i < some.size(); ++i) gather_percept(some[i], static_cast<int>(i), block);
     in_lanes<believe_percepts>(block, constants);
@@ -169,7 +169,7 @@ void update(const PerceptionParams& params, std::span<const Look> looks, std::sp
   std::size_t count = 0;
   for (std::size_t i = 0; i < looks.size(); ++i) {
     if (percepts[i].seen)
-      seeing[count++] = {&looks[i], &percepts[i]};
+      seeing[count++] = {&looks[i], &percepts[i], true};
     else
       note(looks[i], percepts[i], false);
   }

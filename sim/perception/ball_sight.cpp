@@ -1,6 +1,8 @@
 #include "sim/perception/ball_sight.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "sim/math/lanes.h"
 #include "sim/perception/image.h"
@@ -16,6 +18,8 @@ constexpr float kHeatReach = 0.45f;  // [m] where it has fallen to 0
 constexpr Tick kFalseInterval = 10;    // [ticks] between the images that may show a false ball, if they are the newest
 constexpr float kNearestFalse = 0.3f;  // [m]
 constexpr float kBeyondRange = 2;      // [ranges] a percept that seems to be farther away is dropped
+
+BallPercept no_percept() { return {.images = {.count = 1}}; }
 
 /// Returns the place where the image shows the ball: its place `latency` ago, in whole ticks. [m, field]
 ///
@@ -100,6 +104,7 @@ struct SightBlock {
   Lane<float> head_pitch;
   DrawLanes draws;
   Lane<std::int32_t> steps;  // images, 0 for a robot without eyes
+  std::int32_t most;         // of them
   // the newest detection
   Lane<float> square, range;  // [m²], [m]
   Lane<float> chance;         // of a detection in one image
@@ -129,16 +134,17 @@ void detect_balls(SightBlock& block, const SightConstants& constants) {
     block.range[i] = range;
     block.chance[i] = chance < least ? least : chance;
     block.steps[i] = ((shown ? 1 : 0) | everywhere) != 0 ? block.steps[i] : 0;
+    block.ago[i] = 0;
   }
+
+  if (!any(block.steps)) return;
 
   // go back from the newest image until one shows the ball
   SIM_FOR_LANES(i) {
     block.luck[i] = uniform(block.draws.draw(i, Draw::ball_seen)[0]);
     block.missed[i] = 1 - block.chance[i];
-    block.ago[i] = 0;
   }
-  const std::int32_t most = *std::max_element(block.steps.lane, block.steps.lane + kLanes);
-  for (std::int32_t step = 0; step < most; ++step) {
+  for (std::int32_t step = 0; step < block.most; ++step) {
     SIM_FOR_LANES(i) {
       const bool none = (block.ago[i] == step) & (step < block.steps[i]) & (block.luck[i] >= 1 - block.missed[i]);
       const float further = block.missed[i] * (1 - block.chance[i]);
@@ -229,12 +235,26 @@ void measure(const PerceptionParams& params, const SightConstants& constants, st
     }
     return;
   }
-  PerceptBlock block{};
+  PerceptBlock block;
   in_blocks(all, [&](std::span<const Detected> some) {
     for (std::size_t i = 0; i < some.size(); ++i) gather_detected(params, some[i], static_cast<int>(i), block);
     in_lanes<measure_balls>(block, constants);
     for (std::size_t i = 0; i < some.size(); ++i) scatter_percept(block, static_cast<int>(i), *some[i].percept);
   });
+}
+
+/// Returns the detection of one lane, if there is one and nothing hides the ball. A body between camera and ball hides it;
+/// a body does not hide the ball at its own feet.
+std::optional<Detected> detected_in(const PerceptionParams& params, const SightConstants& constants,
+                                    const SightBlock& block, int i, const Look& look, BallPercept& percept) {
+  if (block.ago[i] >= block.steps[i]) return std::nullopt;
+  const Sighting sighting{block.ball[i] - block.position[i], block.square[i], constants.height};
+  if (params.effects.occlusion && is_hidden(params, *look.world, block.position[i], sighting)) return std::nullopt;
+  percept.seen = true;
+  percept.ago = static_cast<Tick>(block.ago[i]);
+  percept.range = block.range[i];
+  percept.heat = heat_of(*look.world, other(side_of(look.robot)), sighting.to_it + block.position[i]);
+  return Detected{&look, &percept, block.chance[i], static_cast<Tick>(block.steps[i]) - 1 - percept.ago};
 }
 
 void gather_sight(const PerceptionParams& params, const Look& look, int i, SightBlock& block) {
@@ -256,52 +276,45 @@ BallPercept detect_false_ball(const PerceptionParams& params, const World& world
   const Body& body = world.bodies[robot];
   const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::false_ball, world.tick);
   const float chance = params.model.filter.false_per_second * static_cast<float>(kFalseInterval) * kTickDuration;
-  if (uniform(words[0]) >= chance) return {};
+  if (uniform(words[0]) >= chance) return no_percept();
 
   const float range = kNearestFalse + uniform(words[1]) * (params.model.ball.far_range - kNearestFalse);
   const Vec2 place = turned(range * body.look, direction(camera.width * (uniform(words[2]) - 0.5f)));
   const Sighting sighting{turned(place, body.facing), range * range, camera.height - params.ball.radius};
-  if (!in_view(camera, body.head_pitch, look_of(body), params.model.ball.far_range, sighting)) return {};
-  return {.seen = true, .position = place, .range = range};
+  if (!in_view(camera, body.head_pitch, look_of(body), params.model.ball.far_range, sighting)) return no_percept();
+  BallPercept percept = no_percept();
+  percept.seen = true;
+  percept.position = place;
+  percept.range = range;
+  return percept;
 }
 
 }  // namespace
 
 void look_for_ball(const PerceptionParams& params, std::span<const Look> looks, std::span<BallPercept> percepts) {
   const SightConstants constants{params.model, params.effects, params.model.camera.height - params.ball.radius};
-  SightBlock block{};
-  std::size_t number = 0;
+  std::array<Detected, kMostLooks> detected;
+  std::size_t count = 0;
+  SightBlock block;
+  auto percept = percepts.begin();
   in_blocks(looks, [&](std::span<const Look> some) {
     for (std::size_t i = 0; i < some.size(); ++i) gather_sight(params, some[i], static_cast<int>(i), block);
+    block.most = *std::max_element(block.steps.lane, block.steps.lane + some.size());
     in_lanes<detect_balls>(block, constants);
-
-    // a body between camera and ball hides it; a body does not hide the ball at its own feet
-    Detected detected[kLanes];
-    std::size_t count = 0;
-    for (std::size_t lane = 0; lane < some.size(); ++lane) {
-      const Look& look = some[lane];
-      const int i = static_cast<int>(lane);
-      BallPercept& percept = percepts[number++] = {};
-      if (block.ago[i] >= block.steps[i]) continue;
-      const Sighting sighting{block.ball[i] - block.position[i], block.square[i], constants.height};
-      if (params.effects.occlusion && is_hidden(params, *look.world, block.position[i], sighting)) continue;
-      percept.seen = true;
-      percept.ago = static_cast<Tick>(block.ago[i]);
-      percept.range = block.range[i];
-      percept.heat = heat_of(*look.world, other(side_of(look.robot)), sighting.to_it + block.position[i]);
-      const Tick images = look.beliefs->ball.visible ? look.steps : 1;
-      detected[count++] = {&look, &percept, block.chance[i], images - 1 - percept.ago};
-    }
-    measure(params, constants, {detected, count});
-
-    if (!params.effects.false_balls) return;
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      BallPercept& percept = percepts[number - some.size() + i];
-      const World& world = *some[i].world;
-      if (!percept.seen && world.tick % kFalseInterval == 0 && has_eyes(some[i].body()))
-        percept = detect_false_ball(params, world, some[i].robot);
+    for (std::size_t i = 0; i < some.size(); ++i, ++percept) {
+      *percept = no_percept();
+      if (const auto seen = detected_in(params, constants, block, static_cast<int>(i), some[i], *percept))
+        detected[count++] = *seen;
     }
   });
+  measure(params, constants, {detected.data(), count});
+
+  if (!params.effects.false_balls) return;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const World& world = *looks[i].world;
+    if (!percepts[i].seen && world.tick % kFalseInterval == 0 && has_eyes(looks[i].body()))
+      percepts[i] = detect_false_ball(params, world, looks[i].robot);
+  }
 }
 
 }  // namespace sim::perception

@@ -10,20 +10,20 @@ namespace sim::perception {
 
 /// Statistics of the images that show the ball, when one perception covers several images.
 struct Images {
-  float count = 1;   // expected number
-  float middle = 0;  // [s] their mean time before now
-  float spread = 0;  // [s²] sum of the squared distances from that time; 0 for one image, which shows no velocity
+  float count;   // expected number; 1 for one image
+  float middle;  // [s] their mean time before now
+  float spread;  // [s²] sum of the squared distances from that time; 0 for one image, which shows no velocity
 };
 
-/// The ball as one perception measures it.
+/// The ball as one perception measures it. No default values, because a pass has room for many.
 struct BallPercept {
-  bool seen = false;
-  Vec2 position;    // [m, robot]
-  Vec2 velocity;    // [m/s, robot's axes] measured from several images; the true one without noise; 0 of a false ball
-  Images images;    // source of position and velocity
-  Tick ago = 0;     // [ticks] age of the newest of them
-  float range = 0;  // [m] true distance of the thing that the newest image shows
-  float heat = 0;   // [0..1] how likely an opponent is about to kick the ball
+  bool seen;
+  Vec2 position;  // [m, robot]
+  Vec2 velocity;  // [m/s, robot's axes] measured from several images; the true one without noise; 0 of a false ball
+  Images images;  // source of position and velocity
+  Tick ago;       // [ticks] age of the newest of them
+  float range;    // [m] true distance of the thing that the newest image shows
+  float heat;     // [0..1] how likely an opponent is about to kick the ball
 };
 
 /// Computes the percepts[i] of looks[i]: of the robot's last `steps` images, the newest at `world.tick`. Position and

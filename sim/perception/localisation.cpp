@@ -45,7 +45,7 @@ struct MarksBlock {
   // the believed pose
   Lane<Vec2> believed;
   Lane<float> believed_heading, deviation, deviation_heading;
-  Lane<std::int32_t> flipped;
+  Lane<std::int32_t> flipped, may_flip;
   // the information from the marks in view (inverse variances), weighted by the probability of detection
   Lane<Vec2> axis;  // of the view
   Lane<float> squared_cosine, nearest, farthest;
@@ -144,12 +144,16 @@ void correct_poses(MarksBlock& block, const MarksConstants& constants) {
 void flip_poses(MarksBlock& block, const MarksConstants& constants) {
   const Localisation& model = constants.model;
   SIM_FOR_LANES(i) {
+    const bool unsure = (block.deviation[i] > kSuperb) | (block.deviation_heading[i] > kSuperbHeading);
+    block.may_flip[i] = (unsure ? 1 : 0) | block.flipped[i];
+  }
+  if (!any(block.may_flip)) return;
+  SIM_FOR_LANES(i) {
     const bool flipped = block.flipped[i] != 0;
-    const bool unsure = int{block.deviation[i] > kSuperb} | int{block.deviation_heading[i] > kSuperbHeading};
     const float noticed = block.duration[i] / model.flip_duration;
     const float lost = model.flips_per_minute / 60 * block.duration[i];
     const auto words = block.draws.draw(i, Draw::pose_flip);
-    const bool flips = (unsure | flipped) & (uniform(words[0]) < (flipped ? noticed : lost));
+    const bool flips = (block.may_flip[i] != 0) & (uniform(words[0]) < (flipped ? noticed : lost));
     const Pose2 pose = turned_round_if(flips, {block.believed[i], block.believed_heading[i]});
     block.believed.set(i, pose.position);
     block.believed_heading[i] = pose.heading;
@@ -209,7 +213,7 @@ void lose_pose(const Localisation& model, const World& world, int robot, agent::
 void look_round(const PerceptionParams& params, std::span<const Look> looks) {
   const MarksConstants constants{params.model.camera, params.model.localisation, params.marks};
   const Tick interval = ticks(params.model.localisation.mark_interval);
-  MarksBlock block{};
+  MarksBlock block;
   in_blocks(looks, [&](std::span<const Look> some) {
     for (std::size_t i = 0; i < some.size(); ++i)
       gather_looks(some[i], std::max(some[i].steps, interval), static_cast<int>(i), block);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "sim/math/lanes.h"
 #include "sim/perception/ball_filter.h"
 #include "sim/perception/ball_sight.h"
 #include "sim/perception/localisation.h"
@@ -41,6 +42,14 @@ void look_round_in_time(const PerceptionParams& params, std::span<const Look> lo
   look_round(params, {due.data(), count});
 }
 
+/// Corrects the believed balls of at most `most` robots. One robot should not pay for the room of many.
+template <std::size_t most>
+void follow_ball(const PerceptionParams& params, std::span<const Look> looks) {
+  std::array<BallPercept, most> percepts;
+  look_for_ball(params, looks, percepts);
+  update(params, looks, percepts);
+}
+
 }  // namespace
 
 void enter(const PerceptionParams& params, const World& world, int robot, agent::Beliefs& beliefs,
@@ -69,9 +78,10 @@ void perceive(const PerceptionParams& params, std::span<const Look> looks) {
   }
 
   // correction by the images
-  std::array<BallPercept, kMostLooks> percepts;
-  look_for_ball(params, looks, percepts);
-  update(params, looks, percepts);
+  if (looks.size() <= kLanes)
+    follow_ball<kLanes>(params, looks);
+  else
+    follow_ball<kMostLooks>(params, looks);
   look_for_opponents(params, looks);
 }
 

@@ -49,6 +49,7 @@ void glance_at_opponents(GlanceBlock& block, const GlanceConstants& constants) {
     const bool shown = in_view(model.camera, block.head_pitch[i], look, model.robots.far_range, sighting);
     block.seen[i] = (shown ? 1 : 0) | everywhere;
   }
+  if (!any(block.seen)) return;
   SIM_FOR_LANES(i) {
     // the detection and its noise
     const Vec2 to_it = block.other[i] - block.position[i];
@@ -84,7 +85,7 @@ void look_at(const PerceptionParams& params, std::span<const Glance> glances) {
   const Effects& effects = params.effects;
   const GlanceConstants constants{params.model, effects.limited_view ? 0 : 1, effects.missed_ball ? 0 : 1,
                                   effects.ball_noise ? 0 : 1};
-  GlanceBlock block{};
+  GlanceBlock block;
   in_blocks(glances, [&](std::span<const Glance> some) {
     for (std::size_t i = 0; i < some.size(); ++i) gather_glance(some[i], static_cast<int>(i), block);
     in_lanes<glance_at_opponents>(block, constants);
