@@ -17,7 +17,7 @@
 //   step_many ─ act ──── perceive ── perception::perceive
 //             │        ├ think ───── Behaviour::decide, wait_of
 //             │        ├ talk ────── perception::transmit, perception::receive
-//             │        └ move ────── motion::move, motion::turn_head
+//             │        └ move ────── motion::move
 //             ├ meet ── keep_bodies_apart, bounce_ball
 //             └ judge ─ referee::judge
 namespace sim {
@@ -175,17 +175,23 @@ void think(const Params& params, State& state, int robot, agent::Trace* trace) {
   state.schedule.turn[robot] = now + wait.turn;
 }
 
-/// Moves the body on with its command, at most up to the robot's next turn. The head moves once, at the end of that
-/// time: no image is taken before.
-void move(const Params& params, State& state, int robot) {
-  const motion::MotionParams own = motion_params(params, models_of(params, robot));
-  const Robot& self = state.robots[robot];
-  Body& body = state.world.bodies[robot];
-  const Tick now = state.world.tick, left = state.schedule.turn[robot] - now;
-  const Tick steps = std::min<Tick>(body.glide, left);
-  motion::move(own, self.command, robot, steps, state.world);
-  body.moved = static_cast<std::uint8_t>(now + steps);
-  if (steps == left) motion::turn_head(own, self.command, self.cognition.last, state.schedule.lag[robot], body);
+/// Moves the bodies on with their commands, at most up to their next turns. A head moves once, at the end of that time:
+/// no image is taken before.
+void move(const Params& params, const Actors& actors) {
+  for_each_model(params, actors, [&](const Models& models, std::span<const Actor> alike) {
+    std::array<motion::Mover, perception::kMostLooks> movers;
+    for (std::size_t i = 0; i < alike.size(); ++i) {
+      const auto [state, robot] = alike[i];
+      const Robot& self = state->robots[robot];
+      Body& body = state->world.bodies[robot];
+      const Tick now = state->world.tick, left = state->schedule.turn[robot] - now;
+      const Tick steps = std::min<Tick>(body.glide, left);
+      body.moved = static_cast<std::uint8_t>(now + steps);
+      movers[i] = {&self.command, &self.cognition.last, &state->world,
+                   robot,         steps,                steps == left ? state->schedule.lag[robot] : 0u};
+    }
+    motion::move(motion_params(params, models), {movers.data(), alike.size()});
+  });
 }
 
 /// Returns the remaining time of the whole game [s].
@@ -270,7 +276,7 @@ void act(const Params& params, Round& round, const Tracing& tracing) {
   perceive(params, turns);
   for (const auto& [state, robot] : turns) think(params, *state, robot, tracing.of(robot));
   for (const auto& [state, robot] : radios) talk(params, *state, robot);
-  for (const auto& [state, robot] : moves) move(params, *state, robot);
+  move(params, moves);
 
   // until then `act` skips the game
   for (State* const state : round.games)

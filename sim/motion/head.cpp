@@ -99,6 +99,9 @@ float yaw_limit_at(const Head& head, float pitch) {
   return std::min(limit, head.yaw_limit);
 }
 
+namespace {
+
+/// Turns the head of one robot.
 void turn_head(const MotionParams& params, const Command& command, const Pose2& told, Tick steps, Body& body) {
   const Head& head = params.model.head;
   if (command.head == Command::Head::keep || body.doing >= Body::Doing::fallen) return;
@@ -121,6 +124,14 @@ void turn_head(const MotionParams& params, const Command& command, const Pose2& 
 
   body.head_pitch = to.pitch;
   if (to.yaw != body.head_yaw) turn_yaw(to.yaw, body);
+}
+
+}  // namespace
+
+void turn_heads(const MotionParams& params, std::span<const Mover> movers) {
+  for (const Mover& mover : movers)
+    if (mover.head_steps > 0)
+      turn_head(params, *mover.command, *mover.told, mover.head_steps, mover.world->bodies[mover.robot]);
 }
 
 }  // namespace sim::motion

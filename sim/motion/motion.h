@@ -1,6 +1,7 @@
 // The motion controller: commands → bodies.
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "sim/math/tick.h"
@@ -19,8 +20,20 @@ struct MotionParams {
   const BallModel& ball;
 };
 
-/// Moves one body without its head for `steps` ticks from `world.tick` on, with `command`: walk, kick, squat, fall and
-/// get up. A body is never faster than its model's speeds. One call with many ticks ends where many single ticks end.
+/// The move of one robot. The head moves after the body, for `head_steps` ticks.
+struct Mover {
+  const Command* command;
+  const Pose2* told;  // [field] the robot's pose when it got the command
+  World* world;
+  int robot;
+  Tick steps;       // of the body, from world->tick on
+  Tick head_steps;  // 0: the head does not move
+};
+
+/// Moves robots with the same model, of one game or of several: walk, kick, squat, fall and get up, then the head. The
+/// robots of one game are in the order of their indices. The result is the same as from one call for each robot.
+///
+/// A body is never faster than its model's speeds. One call with many ticks ends where many single ticks end.
 ///
 /// A body finishes a walking step that has begun. It obeys a new command to the legs when the next step begins, or at
 /// once when it is in no step. Real walking engines settle the size of a step when it begins, too.
@@ -36,12 +49,10 @@ struct MotionParams {
 ///
 /// The effect walk_acceleration includes the cost of turning and the slowing down before a destination. Draws
 /// walk_noise (number: index of the walking step), kick_noise, fall and get_up (number: tick).
-void move(const MotionParams& params, const Command& command, int robot, Tick steps, World& world);
-
-/// Moves the head for `steps` ticks. The body has moved already; `told` [field] is its pose when it got the command.
+///
 /// The head aims at a point within 0.02 rad. Where yaw and pitch together would touch a shoulder, the pitch is limited
 /// and the yaw waits for it. The head of a body on the ground does not move.
-void turn_head(const MotionParams& params, const Command& command, const Pose2& told, Tick steps, Body& body);
+void move(const MotionParams& params, std::span<const Mover> movers);
 
 /// Returns the index of the kick with that name, or -1.
 int find_kick(const Model& model, std::string_view name);

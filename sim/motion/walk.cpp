@@ -1,16 +1,14 @@
 #include "sim/motion/walk.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
-#include "sim/motion/gait.h"
-#include "sim/motion/glide.h"
 #include "sim/motion/rhythm.h"
+#include "sim/motion/walk_lanes.h"
 
 namespace sim::motion {
 namespace {
-
-constexpr float kTriangular = 2.44949f;  // √6: standard deviation 1 for the sum of two uniform numbers
 
 bool wants_to_walk(const Command& command, const Errand& errand) {
   switch (command.body) {
@@ -21,28 +19,14 @@ bool wants_to_walk(const Command& command, const Errand& errand) {
   }
 }
 
-/// Returns a number in [-√6, √6) with a triangular distribution and standard deviation 1.
-/// It is cheaper than a normal one.
-float deviate(std::uint32_t word) {
-  return kTriangular * (static_cast<float>((word & 0xffff) + (word >> 16)) * 0x1p-16f - 1);
-}
+float seconds(Tick ticks) { return static_cast<float>(ticks) * kTickDuration; }
 
-Luck draw_luck(const Walk& walk, const World& world, int robot, Tick step) {
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::walk_noise, step);
-  return {{std::max(0.f, 1 + walk.speed_noise * deviate(words[0])),
-           std::max(0.f, 1 + walk.speed_noise * deviate(words[1]))},
-          walk.turn_noise * deviate(words[2])};
-}
-
-/// Returns the walk of this robot: the speeds of the model times its own pace, which is the same in the whole game.
-Walk walk_of(const MotionParams& params, const World& world, int robot) {
-  Walk walk = params.model.walk;
-  if (!params.effects.walk_spread) return walk;
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::walk_pace, 0);
-  const float pace = 1 - walk.spread * uniform(words[0]);
-  walk.forward *= pace, walk.backward *= pace, walk.sideward *= pace;
-  return walk;
-}
+/// The legs of robots with the same model.
+struct Legs {
+  const Walk& walk;
+  const Effects& effects;
+  Rhythm rhythm;
+};
 
 /// Changes between standing, starting, walking and stopping. Returns false when the body does not move yet.
 bool change_gear(const Walk& walk, const Effects& effects, bool wanted, Tick now, Body& body) {
@@ -81,71 +65,151 @@ Tick until_still(const Walk& walk, bool limited, const Body& body) {
   return std::max<Tick>(1, static_cast<Tick>(std::ceil((1 - kRounding) * seconds * kTicksPerSecond)));
 }
 
-/// Returns the gait to aim at for the next `dt`.
-Gait gait_of(const Walk& walk, bool limited, const Command& command, const Errand& errand, float dt, const Luck& luck) {
-  if (command.body == Command::Body::walk_speed) return at_speed(walk, limited, errand.walk, errand.turn, luck);
-  const float gain = std::clamp(command.gain, 0.f, 1.f);
-  const float squared = squared_length(errand.walk);
-  return squared > kNear * kNear ? towards_far(walk, limited, gain, errand.walk, squared, luck)
-                                 : towards_near(walk, limited, gain, errand, dt, luck);
+/// A part of a walk within which nothing changes but speed and place.
+struct Piece {
+  Tick ticks = 0;       // 0: the walk is over
+  Tick until_next = 0;  // [ticks] from its begin to the next step
+  bool begins = false;  // begins a step, or walks within one that has begun
+};
+
+/// Returns the next piece. Waits for the end of a start delay, if there is one.
+Piece next_piece(const Legs& legs, Walker& walker) {
+  Body& body = walker.body();
+  const bool begins = !in_step(legs.rhythm, body, walker.now);
+  while (begins) {
+    const bool wanted = wants_to_walk(*walker.command, walker.errand);
+    if (change_gear(legs.walk, legs.effects, wanted, walker.now, body)) break;
+    if (!wanted) return {};
+    const Tick delay = body.since + ticks(legs.walk.start_delay) - walker.now;
+    if (walker.left <= delay) return {};
+    walker.now += delay, walker.left -= delay;
+  }
+
+  const Tick until_next = legs.rhythm.until_next(walker.now);
+  Tick together = std::min(walker.left, until_next);
+  if (body.doing == Body::Doing::stopping)
+    together = std::min({together, until_standing(legs.walk, walker.now, body),
+                         until_still(legs.walk, legs.effects.walk_acceleration, body)});
+  return {together, until_next, begins};
+}
+
+float gain_of(const Command& command) { return clamped(command.gain, 0, 1); }
+
+/// Returns the walk of this robot: the speeds of the model times its own pace, which is the same in the whole game.
+Walk walk_of(const Legs& legs, const Walker& walker) {
+  if (!legs.effects.walk_spread) return legs.walk;
+  return walk_at(legs.walk, share_of(legs.walk, draw(walker.world->key, static_cast<std::uint32_t>(walker.robot),
+                                                     Draw::walk_pace, 0)));
+}
+
+Luck luck_of(const Legs& legs, const Walker& walker) {
+  if (!legs.effects.walk_noise) return {};
+  return luck_of(legs.walk, draw(walker.world->key, static_cast<std::uint32_t>(walker.robot), Draw::walk_noise,
+                                 legs.rhythm.step_at(walker.now)));
 }
 
 /// Settles the gait of the step that begins now, or of the present step when the body begins to walk within it. Also
 /// removes the rounding of the small turns before. Not inline, because it is rare.
-[[gnu::noinline]] void begin_step(const MotionParams& params, const Rhythm& rhythm, const Command& command,
-                                  const Errand& errand, Tick now, int robot, World& world) {
-  Body& body = world.bodies[robot];
-  const SinCos heading = sin_cos(body.heading);
-  body.facing = {heading.cos, heading.sin};
-  body.step_velocity = {};
-  body.step_turn_rate = 0;
-  if (body.doing != Body::Doing::walking) return;
-
-  const Walk walk = walk_of(params, world, robot);
-  const Luck luck = params.effects.walk_noise ? draw_luck(walk, world, robot, rhythm.step_at(now)) : Luck{};
-  const float dt = static_cast<float>(rhythm.until_next(now)) * kTickDuration;
-  const Gait gait = gait_of(walk, params.effects.walk_acceleration, command, errand, dt, luck);
+[[gnu::noinline]] void begin_step(const Legs& legs, const Walker& walker, const Piece& piece) {
+  Body& body = walker.body();
+  body.facing = direction(body.heading);
+  Gait gait;
+  if (body.doing == Body::Doing::walking)
+    gait = gait_of(walk_of(legs, walker), legs.effects.walk_acceleration, gain_of(*walker.command), walker.errand,
+                   seconds(piece.until_next), luck_of(legs, walker));
   body.step_velocity = gait.velocity;
   body.step_turn_rate = gait.turn_rate;
 }
 
+Walking walking(const Body& body) {
+  return {body.position, body.heading, body.facing, body.velocity, body.turn_rate, body.walked};
+}
+
+void take(const Walking& walking, Body& body) {
+  body.position = walking.position, body.heading = walking.heading, body.facing = walking.facing;
+  body.velocity = walking.velocity, body.turn_rate = walking.turn_rate, body.walked = walking.walked;
+}
+
+/// Walks with one robot, piece by piece.
+void walk_alone(const Legs& legs, Walker& walker) {
+  Body& body = walker.body();
+  while (true) {
+    const Piece piece = next_piece(legs, walker);
+    if (piece.ticks == 0) return;
+    if (piece.begins) begin_step(legs, walker, piece);
+    const Gait gait{body.step_velocity, body.step_turn_rate};
+    const Glide glided = glide(legs.walk, legs.effects.walk_acceleration, gait, seconds(piece.ticks), walking(body));
+    take(glided.body, body);
+    walker.now += piece.ticks, walker.left -= piece.ticks;
+    if (walker.left == 0) return;
+    walker.errand = after(walker.errand, glided.moved);
+  }
+}
+
+void gather(const Walker& walker, int i, WalkLanes& lanes) {
+  const Body& body = walker.body();
+  lanes.set_body(i, walking(body));
+  lanes.gait.set(i, {body.step_velocity, body.step_turn_rate});
+  lanes.set_errand(i, walker.errand);
+  lanes.gain[i] = gain_of(*walker.command);
+}
+
+void scatter(const WalkLanes& lanes, int i, Walker& walker) {
+  Body& body = walker.body();
+  take(lanes.body(i), body);
+  const Gait gait = lanes.gait[i];
+  body.step_velocity = gait.velocity, body.step_turn_rate = gait.turn_rate;
+  walker.errand = lanes.errand(i);
+}
+
+template <bool limited>
+void move_lanes(const Legs& legs, bool begin, WalkLanes& lanes) {
+  if (begin) in_lanes<begin_steps<limited>>(legs.walk, legs.effects, lanes);
+  in_lanes<glide_on<limited>>(legs.walk, lanes);
+}
+
+/// Walks with several robots through one piece each. `lanes` holds them. Returns those that go on, one bit for each.
+unsigned walk_piece(const Legs& legs, std::span<Walker> walkers, unsigned active, WalkLanes& lanes) {
+  bool begin = false;
+  Tick used[kLanes] = {};
+  for (unsigned rest = active; rest != 0; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    Walker& walker = walkers[static_cast<std::size_t>(i)];
+    const Piece piece = next_piece(legs, walker);
+    used[i] = piece.ticks;
+    if (piece.ticks == 0) active &= ~(1u << i);
+    lanes.draws.set(i, walker.world->key, walker.robot, legs.rhythm.step_at(walker.now));
+    lanes.begins[i] = piece.begins ? 1 : 0;
+    lanes.walks[i] = walker.body().doing == Body::Doing::walking ? 1 : 0;
+    lanes.until_next[i] = seconds(piece.until_next);
+    lanes.dt[i] = seconds(piece.ticks);
+    begin |= piece.begins;
+  }
+  legs.effects.walk_acceleration ? move_lanes<true>(legs, begin, lanes) : move_lanes<false>(legs, begin, lanes);
+  for (unsigned rest = active; rest != 0; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    Walker& walker = walkers[static_cast<std::size_t>(i)];
+    scatter(lanes, i, walker);
+    walker.now += used[i], walker.left -= used[i];
+    if (walker.left == 0) active &= ~(1u << i);
+  }
+  return active;
+}
+
+/// From this number of robots on, lanes are faster than one robot after the other.
+constexpr int kWorthLanes = 3;
+
 }  // namespace
 
-void walk(const MotionParams& params, const Command& command, int robot, Tick now, Tick left, World& world) {
-  const Walk& model = params.model.walk;
-  const bool limited = params.effects.walk_acceleration;
-  Body& body = world.bodies[robot];
-  Errand errand = errand_of(command);
-  const Rhythm rhythm(model);
-
-  // move in pieces within which nothing changes
-  while (true) {
-    if (!in_step(rhythm, body, now)) {
-      const bool wanted = wants_to_walk(command, errand);
-      if (!change_gear(model, params.effects, wanted, now, body)) {
-        if (!wanted) return;
-        const Tick delay = body.since + ticks(model.start_delay) - now;
-        if (left <= delay) return;
-        now += delay, left -= delay;
-        continue;
-      }
-      begin_step(params, rhythm, command, errand, now, robot, world);
-    }
-
-    Tick together = std::min(left, rhythm.until_next(now));
-    if (body.doing == Body::Doing::stopping)
-      together = std::min({together, until_standing(model, now, body), until_still(model, limited, body)});
-    const Gait gait{body.step_velocity, body.step_turn_rate};
-    const Moved moved = glide(model, limited, gait, static_cast<float>(together) * kTickDuration, body);
-    if (together == left) return;
-
-    // the rest, seen from the present pose
-    now += together, left -= together;
-    if (command.body == Command::Body::walk_to) {
-      errand.walk = turned_back(errand.walk - moved.displacement, moved.facing);
-      errand.turn = wrapped(errand.turn - moved.angle);
-    }
+void walk(const MotionParams& params, std::span<Walker> walkers) {
+  const Legs legs{params.model.walk, params.effects, Rhythm(params.model.walk)};
+  unsigned active = (1u << walkers.size()) - 1;
+  if (std::popcount(active) >= kWorthLanes) {
+    WalkLanes lanes{};
+    for (std::size_t i = 0; i < walkers.size(); ++i) gather(walkers[i], static_cast<int>(i), lanes);
+    while (std::popcount(active) >= kWorthLanes) active = walk_piece(legs, walkers, active, lanes);
   }
+  for (; active != 0; active &= active - 1) walk_alone(legs, walkers[static_cast<std::size_t>(std::countr_zero(active))]);
 }
 
 }  // namespace sim::motion
