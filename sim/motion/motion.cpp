@@ -1,6 +1,6 @@
 #include "sim/motion/motion.h"
 
-#include "sim/math/lanes.h"
+#include "sim/motion/batch.h"
 #include "sim/motion/fall.h"
 #include "sim/motion/head.h"
 #include "sim/motion/kick.h"
@@ -12,28 +12,31 @@ namespace sim::motion {
 
 namespace {
 
+/// Begins a kick or a squat that is commanded: at once, unless a walking step has to be finished first.
+void perhaps_begin(const MotionParams& params, const Command& command, Tick now, Body& body) {
+  const bool kicks = command.body == Command::Body::kick && command.kick < params.model.kick_count;
+  const bool down = command.body == Command::Body::squat;
+  if (!kicks && !down) return;
+  if (body.doing >= Body::Doing::kicking || in_step(Rhythm(params.model.walk), body, now)) return;
+  kicks ? begin_kick(command, now, body) : begin_squat(now, body);
+}
+
 /// Does everything but walking: falls, gets up, kicks, squats. Returns the number of ticks left for walking.
 Tick anything_else(const MotionParams& params, const Mover& mover) {
-  const auto& [command, told, world, robot, steps, head_steps] = mover;
-  Body& body = world->bodies[robot];
+  World& world = *mover.world;
+  const int robot = mover.robot;
+  Body& body = world.bodies[robot];
   if (body.doing == Body::Doing::removed) return 0;
-  if (params.effects.falls && !lies(body)) perhaps_fall(params, robot, world->tick, steps, *world);
-
-  // a kick or a squat begins at once, unless a walking step has to be finished first
-  const bool kicks = command->body == Command::Body::kick && command->kick < params.model.kick_count;
-  const bool squat_now = command->body == Command::Body::squat;
-  if ((kicks || squat_now) && !lies(body) && !squats(body) && body.doing != Body::Doing::kicking &&
-      !in_step(Rhythm(params.model.walk), body, world->tick)) {
-    if (kicks) begin_kick(*command, world->tick, body);
-    if (squat_now) begin_squat(world->tick, body);
-  }
+  if (params.effects.falls && !lies(body)) perhaps_fall(params, robot, world.tick, mover.steps, world);
+  if (mover.command->body >= Command::Body::kick) perhaps_begin(params, *mover.command, world.tick, body);
+  if (body.doing < Body::Doing::kicking) return mover.steps;
 
   // one thing after the other until the ticks are used up
-  Tick left = steps;
-  const auto now = [&, world = world, steps = steps] { return world->tick + steps - left; };
-  while (left > 0 && lies(body)) left -= lie(params, robot, now(), left, *world);
+  Tick left = mover.steps;
+  const auto now = [&] { return world.tick + mover.steps - left; };
+  while (left > 0 && lies(body)) left -= lie(params, robot, now(), left, world);
   while (left > 0 && squats(body)) left -= squat(params, now(), left, body);
-  if (left > 0 && body.doing == Body::Doing::kicking) left -= kick(params, robot, now(), left, *world);
+  if (left > 0 && body.doing == Body::Doing::kicking) left -= kick(params, robot, now(), left, world);
   return left;
 }
 
@@ -42,21 +45,31 @@ bool rests(const Mover& mover) {
          mover.command->body == Command::Body::stand;
 }
 
+Walker walker_of(const Mover& mover, Tick left) {
+  return {mover.command, mover.world, mover.robot, mover.world->tick + mover.steps - left, left,
+          errand_of(*mover.command)};
+}
+
+void move_alone(const MotionParams& params, const Mover& mover) {
+  const Tick left = anything_else(params, mover);
+  if (left > 0 && !rests(mover)) walk_alone(params, walker_of(mover, left));
+  turn_head(params, mover);
+}
+
 }  // namespace
 
 void move(const MotionParams& params, std::span<const Mover> movers) {
+  if (!worth_lanes(movers.size())) {
+    for (const Mover& mover : movers) move_alone(params, mover);
+    return;
+  }
   // kicks change the ball, so all that is not walking happens in the order of the list
-  Walker walkers[kLanes];
-  std::size_t count = 0;
+  auto walkers = batch_of<Walker>([&](std::span<Walker> some) { return walk_together(params, some); });
   for (const Mover& mover : movers) {
     const Tick left = anything_else(params, mover);
-    if (left == 0 || rests(mover)) continue;
-    walkers[count++] = {mover.command, mover.world, mover.robot, mover.world->tick + mover.steps - left, left,
-                        errand_of(*mover.command)};
-    if (count == kLanes) walk(params, {walkers, count});
-    count %= kLanes;
+    if (left > 0 && !rests(mover)) walkers.add(walker_of(mover, left));
   }
-  if (count > 0) walk(params, {walkers, count});
+  walkers.finish();
   turn_heads(params, movers);
 }
 

@@ -1,9 +1,9 @@
 #include "sim/motion/walk.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
+#include "sim/motion/batch.h"
 #include "sim/motion/rhythm.h"
 #include "sim/motion/walk_lanes.h"
 
@@ -130,8 +130,8 @@ void take(const Walking& walking, Body& body) {
   body.velocity = walking.velocity, body.turn_rate = walking.turn_rate, body.walked = walking.walked;
 }
 
-/// Walks with one robot, piece by piece.
-void walk_alone(const Legs& legs, Walker& walker) {
+/// Walks with one robot to the end, piece by piece.
+[[gnu::flatten]] void walk_on(const Legs& legs, Walker& walker) {
   Body& body = walker.body();
   while (true) {
     const Piece piece = next_piece(legs, walker);
@@ -154,62 +154,72 @@ void gather(const Walker& walker, int i, WalkLanes& lanes) {
   lanes.gain[i] = gain_of(*walker.command);
 }
 
-void scatter(const WalkLanes& lanes, int i, Walker& walker) {
+void scatter(const WalkLanes& lanes, int i, const Walker& walker) {
   Body& body = walker.body();
   take(lanes.body(i), body);
   const Gait gait = lanes.gait[i];
   body.step_velocity = gait.velocity, body.step_turn_rate = gait.turn_rate;
-  walker.errand = lanes.errand(i);
 }
 
 template <bool limited>
-void move_lanes(const Legs& legs, bool begin, WalkLanes& lanes) {
+[[gnu::noinline]] void move_lanes(const Legs& legs, bool begin, WalkLanes& lanes) {
   if (begin) in_lanes<begin_steps<limited>>(legs.walk, legs.effects, lanes);
   in_lanes<glide_on<limited>>(legs.walk, lanes);
 }
 
-/// Walks with several robots through one piece each. `lanes` holds them. Returns those that go on, one bit for each.
-unsigned walk_piece(const Legs& legs, std::span<Walker> walkers, unsigned active, WalkLanes& lanes) {
+/// Reads the next piece of a walk into lane `i`. Returns its ticks.
+Tick begin_piece(const Legs& legs, Walker& walker, int i, WalkLanes& lanes) {
+  const Piece piece = next_piece(legs, walker);
+  lanes.draws.set(i, walker.world->key, walker.robot, legs.rhythm.step_at(walker.now));
+  lanes.begins[i] = piece.begins ? 1 : 0;
+  lanes.walks[i] = walker.body().doing == Body::Doing::walking ? 1 : 0;
+  lanes.until_next[i] = seconds(piece.until_next);
+  lanes.dt[i] = seconds(piece.ticks);
+  return piece.ticks;
+}
+
+/// Walks with several robots through one piece each, in lanes. Keeps those that walk on, at the front, and returns their
+/// number.
+[[gnu::flatten]] std::size_t walk_piece(const Legs& legs, std::span<Walker> walkers) {
+  WalkLanes lanes;
+  if (walkers.size() < kLanes) lanes = {};
+  Tick used[kLanes];
+  int count = 0;
   bool begin = false;
-  Tick used[kLanes] = {};
-  for (unsigned rest = active; rest != 0; rest &= rest - 1) {
-    const int i = std::countr_zero(rest);
-    Walker& walker = walkers[static_cast<std::size_t>(i)];
-    const Piece piece = next_piece(legs, walker);
-    used[i] = piece.ticks;
-    if (piece.ticks == 0) active &= ~(1u << i);
-    lanes.draws.set(i, walker.world->key, walker.robot, legs.rhythm.step_at(walker.now));
-    lanes.begins[i] = piece.begins ? 1 : 0;
-    lanes.walks[i] = walker.body().doing == Body::Doing::walking ? 1 : 0;
-    lanes.until_next[i] = seconds(piece.until_next);
-    lanes.dt[i] = seconds(piece.ticks);
-    begin |= piece.begins;
+  for (const Walker& next : walkers) {
+    Walker& walker = walkers[static_cast<std::size_t>(count)] = next;
+    used[count] = begin_piece(legs, walker, count, lanes);
+    if (used[count] == 0) continue;
+    gather(walker, count, lanes);
+    begin |= lanes.begins[count] != 0;
+    ++count;
   }
   legs.effects.walk_acceleration ? move_lanes<true>(legs, begin, lanes) : move_lanes<false>(legs, begin, lanes);
-  for (unsigned rest = active; rest != 0; rest &= rest - 1) {
-    const int i = std::countr_zero(rest);
+
+  std::size_t kept = 0;
+  for (int i = 0; i < count; ++i) {
     Walker& walker = walkers[static_cast<std::size_t>(i)];
     scatter(lanes, i, walker);
     walker.now += used[i], walker.left -= used[i];
-    if (walker.left == 0) active &= ~(1u << i);
+    if (walker.left > 0) {
+      walker.errand = lanes.errand(i);
+      walkers[kept++] = walker;
+    }
   }
-  return active;
+  return kept;
 }
-
-/// From this number of robots on, lanes are faster than one robot after the other.
-constexpr int kWorthLanes = 3;
 
 }  // namespace
 
-void walk(const MotionParams& params, std::span<Walker> walkers) {
+void walk_alone(const MotionParams& params, Walker walker) {
+  walk_on({params.model.walk, params.effects, Rhythm(params.model.walk)}, walker);
+}
+
+std::size_t walk_together(const MotionParams& params, std::span<Walker> walkers) {
   const Legs legs{params.model.walk, params.effects, Rhythm(params.model.walk)};
-  unsigned active = (1u << walkers.size()) - 1;
-  if (std::popcount(active) >= kWorthLanes) {
-    WalkLanes lanes{};
-    for (std::size_t i = 0; i < walkers.size(); ++i) gather(walkers[i], static_cast<int>(i), lanes);
-    while (std::popcount(active) >= kWorthLanes) active = walk_piece(legs, walkers, active, lanes);
-  }
-  for (; active != 0; active &= active - 1) walk_alone(legs, walkers[static_cast<std::size_t>(std::countr_zero(active))]);
+  if (worth_lanes(walkers.size())) return walk_piece(legs, walkers);
+  for (Walker& walker : walkers) walk_on(legs, walker);
+  return 0;
 }
 
 }  // namespace sim::motion

@@ -1,6 +1,7 @@
 // Walking with a speed or to a destination. Internal to sim/motion.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "sim/motion/command.h"
@@ -25,7 +26,11 @@ struct Walker {
   Body& body() const { return world->bodies[robot]; }
 };
 
-/// Lets up to kLanes robots stand, start, walk or stop for their ticks.
-void walk(const MotionParams& params, std::span<Walker> walkers);
+/// Lets a robot stand, start, walk or stop for its ticks.
+void walk_alone(const MotionParams& params, Walker walker);
+
+/// Does the same for up to kLanes robots with the same model, but perhaps only for a part of their ticks. Keeps those
+/// with a rest, at the front, and returns their number.
+std::size_t walk_together(const MotionParams& params, std::span<Walker> walkers);
 
 }  // namespace sim::motion
