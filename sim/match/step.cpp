@@ -167,8 +167,7 @@ void think(const Params& params, State& state, int robot, agent::Trace* trace) {
   hear_penalties(state, robot, self.beliefs);
   const agent::Surroundings surroundings{&params.rules, &models_of(params, robot).motion};
   const agent::Game game = referee::game_for(params.rules, state.world, state.book, robot);
-  self.command =
-      team_of(params, robot).behaviour->decide(surroundings, game, self.beliefs, now, self.mind, trace);
+  self.command = team_of(params, robot).behaviour->decide(surroundings, game, self.beliefs, now, self.mind, trace);
   const Wait wait = wait_of(params, state, robot);
   state.schedule.lag[robot] = static_cast<std::uint8_t>(wait.turn);
   state.world.bodies[robot].glide = static_cast<std::uint8_t>(wait.move);
@@ -187,8 +186,9 @@ void move(const Params& params, const Actors& actors) {
       const Tick now = state->world.tick, left = state->schedule.turn[robot] - now;
       const Tick steps = std::min<Tick>(body.glide, left);
       body.moved = static_cast<std::uint8_t>(now + steps);
-      movers[i] = {&self.command, &self.cognition.last, &state->world,
-                   robot,         steps,                steps == left ? state->schedule.lag[robot] : 0u};
+      movers[i] = {&self.command, &self.cognition.last,
+                   &state->world, robot,
+                   steps,         steps == left ? state->schedule.lag[robot] : 0u};
     }
     motion::move(motion_params(params, models), {movers.data(), alike.size()});
   });
@@ -321,7 +321,8 @@ void enter(const Params& params, State& state, int robot) {
   // mirrored robots begin their search in mirrored directions
   const float sign = attack_sign(state.world, side_of(robot));
   self.mind.search_side = agent::left_or_right(sign * state.world.bodies[robot].position.y);
-  perception::enter(perception_params(params, models_of(params, robot)), state.world, robot, self.beliefs, self.cognition);
+  perception::enter(perception_params(params, models_of(params, robot)), state.world, robot, self.beliefs,
+                    self.cognition);
 }
 
 State begin(const Params& params, RandomKey key, referee::Events& events) {

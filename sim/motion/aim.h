@@ -14,7 +14,7 @@ namespace sim::motion {
 
 inline constexpr float kCameraHeight = 0.45f;  // [m] B-Human's assumedObservationHeight; good enough for aiming
 inline constexpr float kTolerance = 0.015f;    // [rad] an aim with a smaller error is kept
-inline constexpr float kViewCentre = 0.44f;    // [rad] below the horizon with pitch 0: the middle of both cameras' views
+inline constexpr float kViewCentre = 0.44f;  // [rad] below the horizon with pitch 0: the middle of both cameras' views
 
 /// The angles of the head [rad].
 struct Angles {
@@ -89,7 +89,7 @@ inline Angles aimed_at(Vec2 point, float height, const Gaze& gaze) {
 }
 
 /// Reports whether no shoulder is in the way at this pitch, whatever the yaw.
-inline bool is_clear(float pitch) { return -0.4f <= pitch && pitch <= 0.2f; }
+inline bool is_clear(float pitch) { return (-0.4f <= pitch) & (pitch <= 0.2f); }
 
 inline float turned_towards(float from, float to, float most) { return from + clamped(to - from, -most, most); }
 
@@ -98,9 +98,9 @@ inline Angles reached(const Head& head, Angles to, float dt, Angles from) {
   const float wanted = clamped(to.yaw, -head.yaw_limit, head.yaw_limit);
 
   // the pitch first: clear of the shoulders at the present and at the wanted yaw
-  const bool clear = is_clear(to.pitch) && is_clear(from.pitch);
-  const Nod nod = clear ? Nod{head.pitch_up, head.pitch_down}
-                        : nod_at(head, greater(std::abs(wanted), std::abs(from.yaw)));
+  const bool clear = is_clear(to.pitch) & is_clear(from.pitch);
+  const Nod nod =
+      clear ? Nod{head.pitch_up, head.pitch_down} : nod_at(head, greater(std::abs(wanted), std::abs(from.yaw)));
   const float pitch = turned_towards(from.pitch, clamped(to.pitch, nod.up, nod.down), head.pitch_speed * dt);
   const float limit = clear ? head.yaw_limit : yaw_limit_at(head, pitch);
   return {turned_towards(from.yaw, clamped(wanted, -limit, limit), head.yaw_speed * dt), pitch};
@@ -112,13 +112,14 @@ inline Vec2 look_at(float yaw, float from, Vec2 look) {
   const float angle = yaw - from;
   const float square = angle * angle;
   const float sine = angle * (1 - square * (1.f / 6 - square * (1.f / 120)));
-  const bool little = square < 0.04f && yaw * from > 0;
+  const bool little = (square < 0.04f) & (yaw * from > 0);
   return little ? turned(look, {1 - square * (0.5f - square * (1.f / 24)), sine}) : direction(yaw);
 }
 
 /// Turns the head to these angles, at once or within `dt` and the limits of its joints.
 inline Gaze turned_to(const Head& head, bool limited, Angles to, float dt, const Gaze& gaze) {
-  if (to.yaw == gaze.yaw && to.pitch == gaze.pitch) return gaze;
+  const bool stays = (to.yaw == gaze.yaw) & (to.pitch == gaze.pitch);
+  if (stays) return gaze;
   const Angles end = limited ? reached(head, to, dt, {gaze.yaw, gaze.pitch}) : to;
   return {end.yaw, end.pitch, end.yaw != gaze.yaw ? look_at(end.yaw, gaze.yaw, gaze.look) : gaze.look};
 }

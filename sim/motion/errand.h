@@ -12,7 +12,7 @@ inline float wrapped(float angle) { return angle > kPi ? angle - 2 * kPi : angle
 /// The rest of a walking command. At the first tick of a move it equals the command.
 struct Errand {
   Vec2 walk;      // by speed: [m/s, robot]; otherwise: destination [m, robot]
-  float turn;             // by speed: [rad/s]; otherwise: heading on arrival [rad, robot], within ±π
+  float turn;     // by speed: [rad/s]; otherwise: heading on arrival [rad, robot], within ±π
   bool by_speed;  // walk_speed; otherwise walk_to
 };
 

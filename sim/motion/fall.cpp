@@ -2,21 +2,75 @@
 
 #include <algorithm>
 
+#include "sim/motion/batch.h"
+#include "sim/motion/fall_lanes.h"
+
 namespace sim::motion {
+namespace {
 
-void perhaps_fall(const MotionParams& params, int robot, Tick now, Tick steps, World& world) {
-  Body& body = world.bodies[robot];
-  float rate = 0;  // [1/s]
-  if (body.doing == Body::Doing::walking) rate += params.model.falls.per_minute_walking / 60;
-  if (body.touching > 0) rate += params.model.falls.per_second_touching;
-  if (rate == 0) return;
+/// Returns the rate of falls of an upright body [1/s]; 0 for others.
+float rate_of(const Falls& falls, const Body& body) {
+  if (body.doing >= Body::Doing::fallen) return 0;
+  const float walking = body.doing == Body::Doing::walking ? falls.per_minute_walking / 60 : 0;
+  return body.touching > 0 ? walking + falls.per_second_touching : walking;
+}
 
-  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::fall, now);
-  if (uniform(words[0]) >= rate * static_cast<float>(steps) * kTickDuration) return;
+void fall(Tick now, Body& body) {
   body.doing = Body::Doing::fallen;
   body.since = now;
   body.velocity = {};
   body.turn_rate = 0;
+}
+
+/// A robot that falls at some rate.
+struct Faller {
+  const Mover* mover;
+  float rate;  // [1/s] > 0
+
+  Body& body() const { return mover->world->bodies[mover->robot]; }
+};
+
+void perhaps_fall_alone(const Faller& faller) {
+  const auto& [mover, rate] = faller;
+  const Tick now = mover->world->tick;
+  const auto words = draw(mover->world->key, static_cast<std::uint32_t>(mover->robot), Draw::fall, now);
+  if (falls_by(words[0], rate, static_cast<float>(mover->steps))) fall(now, faller.body());
+}
+
+/// Lets up to kLanes bodies fall, perhaps.
+void perhaps_fall_together(std::span<const Faller> fallers) {
+  FallLanes lanes;
+  if (fallers.size() < kLanes) lanes = {};
+  for (int i = 0; const auto& [mover, rate] : fallers) {
+    lanes.draws.set(i, mover->world->key, mover->robot, mover->world->tick);
+    lanes.rate[i] = rate;
+    lanes.ticks[i] = static_cast<float>(mover->steps);
+    ++i;
+  }
+  in_lanes<draw_falls>(lanes);
+  for (int i = 0; const Faller& faller : fallers)
+    if (lanes.falls[i++] != 0) fall(faller.mover->world->tick, faller.body());
+}
+
+}  // namespace
+
+void perhaps_fall(const MotionParams& params, const Mover& mover) {
+  const float rate = rate_of(params.model.falls, mover.world->bodies[mover.robot]);
+  if (rate > 0) perhaps_fall_alone({&mover, rate});
+}
+
+void perhaps_fall(const MotionParams& params, std::span<const Mover> movers) {
+  const Falls& falls = params.model.falls;
+  auto batch = batch_of<Faller>([](std::span<Faller> some) {
+    if (worth_lanes(some.size()))
+      perhaps_fall_together(some);
+    else
+      for (const Faller& faller : some) perhaps_fall_alone(faller);
+    return std::size_t{0};
+  });
+  for (const Mover& mover : movers)
+    if (const float rate = rate_of(falls, mover.world->bodies[mover.robot]); rate > 0) batch.add({&mover, rate});
+  batch.finish();
 }
 
 Tick lie(const MotionParams& params, int robot, Tick now, Tick left, World& world) {

@@ -90,7 +90,7 @@ inline Gait towards_near(const Walk& walk, bool limited, float gain, const Erran
 inline Gait gait_of(const Walk& walk, bool limited, float gain, const Errand& errand, float dt, const Luck& luck) {
   if (errand.by_speed) return at_speed(walk, limited, errand, luck);
   return is_far(errand.walk) ? towards_far(walk, limited, gain, errand, luck)
-                        : towards_near(walk, limited, gain, errand, dt, luck);
+                             : towards_near(walk, limited, gain, errand, dt, luck);
 }
 
 }  // namespace sim::motion

@@ -68,7 +68,7 @@ void turn_head(const MotionParams& params, const Mover& mover) {
 void turn_heads(const MotionParams& params, std::span<const Mover> movers) {
   auto batch = batch_of<const Mover*>([&](std::span<const Mover*> some) {
     turn_some(params, some);
-    return 0;
+    return std::size_t{0};
   });
   for (const Mover& mover : movers)
     if (turns(mover)) batch.add(&mover);

@@ -17,8 +17,8 @@ struct HeadLanes {
   Lane<float> told_heading;
   Lane<Vec2> position, facing;
   Lane<float> heading;
-  Lane<float> dt;           // [s]
-  Lane<float> yaw, pitch;   // of the head
+  Lane<float> dt;          // [s]
+  Lane<float> yaw, pitch;  // of the head
   Lane<Vec2> look;
   Lane<float> to_yaw, to_pitch;
 

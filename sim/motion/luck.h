@@ -31,9 +31,9 @@ inline float deviate(std::uint32_t word) {
 
 /// Returns the noise of a step from the words of Draw::walk_noise.
 inline Luck luck_of(const Walk& walk, const Words& words) {
-  return {{greater(0.f, 1 + walk.speed_noise * deviate(words[0])),
-           greater(0.f, 1 + walk.speed_noise * deviate(words[1]))},
-          walk.turn_noise * deviate(words[2])};
+  return {
+      {greater(0.f, 1 + walk.speed_noise * deviate(words[0])), greater(0.f, 1 + walk.speed_noise * deviate(words[1]))},
+      walk.turn_noise * deviate(words[2])};
 }
 
 /// Returns the share of the model's speeds that a robot reaches, from the words of Draw::walk_pace.

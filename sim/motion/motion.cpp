@@ -21,13 +21,12 @@ void perhaps_begin(const MotionParams& params, const Command& command, Tick now,
   kicks ? begin_kick(command, now, body) : begin_squat(now, body);
 }
 
-/// Does everything but walking: falls, gets up, kicks, squats. Returns the number of ticks left for walking.
+/// Does everything but walking: lies, gets up, kicks, squats. Returns the number of ticks left for walking.
 Tick anything_else(const MotionParams& params, const Mover& mover) {
   World& world = *mover.world;
   const int robot = mover.robot;
   Body& body = world.bodies[robot];
   if (body.doing == Body::Doing::removed) return 0;
-  if (params.effects.falls && !lies(body)) perhaps_fall(params, robot, world.tick, mover.steps, world);
   if (mover.command->body >= Command::Body::kick) perhaps_begin(params, *mover.command, world.tick, body);
   if (body.doing < Body::Doing::kicking) return mover.steps;
 
@@ -41,16 +40,16 @@ Tick anything_else(const MotionParams& params, const Mover& mover) {
 }
 
 bool rests(const Mover& mover) {
-  return mover.world->bodies[mover.robot].doing == Body::Doing::standing &&
-         mover.command->body == Command::Body::stand;
+  return mover.world->bodies[mover.robot].doing == Body::Doing::standing && mover.command->body == Command::Body::stand;
 }
 
 Walker walker_of(const Mover& mover, Tick left) {
-  return {mover.command, mover.world, mover.robot, mover.world->tick + mover.steps - left, left,
-          errand_of(*mover.command)};
+  return {
+      mover.command, mover.world, mover.robot, mover.world->tick + mover.steps - left, left, errand_of(*mover.command)};
 }
 
 void move_alone(const MotionParams& params, const Mover& mover) {
+  if (params.effects.falls) perhaps_fall(params, mover);
   const Tick left = anything_else(params, mover);
   if (left > 0 && !rests(mover)) walk_alone(params, walker_of(mover, left));
   turn_head(params, mover);
@@ -63,6 +62,8 @@ void move(const MotionParams& params, std::span<const Mover> movers) {
     for (const Mover& mover : movers) move_alone(params, mover);
     return;
   }
+  if (params.effects.falls) perhaps_fall(params, movers);
+
   // kicks change the ball, so all that is not walking happens in the order of the list
   auto walkers = batch_of<Walker>([&](std::span<Walker> some) { return walk_together(params, some); });
   for (const Mover& mover : movers) {

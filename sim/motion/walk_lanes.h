@@ -36,13 +36,13 @@ struct WalkLanes {
   Lane<Vec2> position, facing, velocity;
   Lane<float> heading, turn_rate, walked;
   // their present steps
-  DrawLanes draws;             // number: of the step
-  Lane<std::int32_t> begins;   // 1: the piece begins a step
-  Lane<std::int32_t> walks;    // 1: walking; 0: stopping
-  Lane<float> until_next;      // [s] from the begin of the piece to the next step
-  Lane<float> share;           // of the model's speeds that the robot reaches
-  Lane<Vec2> luck_speed;       // Luck::speed
-  Lane<float> luck_turn;       // Luck::turn
+  DrawLanes draws;            // number: of the step
+  Lane<std::int32_t> begins;  // 1: the piece begins a step
+  Lane<std::int32_t> walks;   // 1: walking; 0: stopping
+  Lane<float> until_next;     // [s] from the begin of the piece to the next step
+  Lane<float> share;          // of the model's speeds that the robot reaches
+  Lane<Vec2> luck_speed;      // Luck::speed
+  Lane<float> luck_turn;      // Luck::turn
   GaitLanes gait;
   // their errands
   Lane<Vec2> target;            // Errand::walk
