@@ -12,8 +12,8 @@
 
 namespace sim::motion {
 
-inline constexpr float kCameraHeight = 0.45f;  // [m] B-Human's assumedObservationHeight; good enough for aiming
-inline constexpr float kTolerance = 0.015f;    // [rad] an aim with a smaller error is kept
+inline constexpr float kCameraHeight = 0.45f;   // [m] B-Human's assumedObservationHeight; good enough for aiming
+inline constexpr float kAimTolerance = 0.015f;  // [rad] an aim with a smaller error is kept
 inline constexpr float kViewCentre = 0.44f;  // [rad] below the horizon with pitch 0: the middle of both cameras' views
 
 /// The angles of the head [rad].
@@ -82,10 +82,10 @@ inline Angles aimed_at(Vec2 point, float height, const Gaze& gaze) {
 
   const float off = cross(gaze.look, point) * nearer;
   const float size = dot(gaze.look, point) > 0 ? std::abs(off) : 1;
-  const float yaw = size <= kTolerance ? gaze.yaw
-                    : size < 0.2f      ? gaze.yaw + off * (1 + off * off * (1.f / 6 + 0.075f * off * off))
-                                       : angle_of(point);
-  return {yaw, std::abs(pitch - gaze.pitch) <= kTolerance ? gaze.pitch : pitch};
+  const float yaw = size <= kAimTolerance ? gaze.yaw
+                    : size < 0.2f         ? gaze.yaw + off * (1 + off * off * (1.f / 6 + 0.075f * off * off))
+                                          : angle_of(point);
+  return {yaw, std::abs(pitch - gaze.pitch) <= kAimTolerance ? gaze.pitch : pitch};
 }
 
 /// Reports whether no shoulder is in the way at this pitch, whatever the yaw.

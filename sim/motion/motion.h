@@ -23,7 +23,7 @@ struct MotionParams {
 /// The move of one robot. The head moves after the body, for `head_steps` ticks.
 struct Mover {
   const Command* command;
-  const Pose2* told;  // [field] the robot's pose when it got the command
+  const Pose2* told;  // [field] the robot's pose when it got the command; for the head only
   World* world;
   int robot;
   Tick steps;       // of the body, from world->tick on

@@ -126,7 +126,8 @@ WalkedDrill walked_drill(const PlantedWalks& planted, int robot, std::uint64_t s
     const Command command = script.next(body);
     drill.commands.push_back({.at = at + late, .command = hand > 0 ? command : mirrored_command(command)});
     const sim::Body before = body;
-    sim::motion::move(params, command, robot, 1, world);
+    const sim::motion::Mover mover{&command, nullptr, &world, robot, 1, 0};
+    sim::motion::move(params, {&mover, 1});
     ++world.tick;
     halts.add(before, body, at, drill);
   }

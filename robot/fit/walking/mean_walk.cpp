@@ -19,7 +19,7 @@ constexpr std::size_t kLucks = 16;  // equally likely
 constexpr int kStepPhases = 4;
 constexpr float kWalkTick = sim::kTickDuration;
 
-/// Returns the means of the sixteenths of the triangular distribution with standard deviation 1 (sim/motion/walk.cpp), scaled to
+/// Returns the means of the sixteenths of the triangular distribution with standard deviation 1 (sim/motion/luck.h), scaled to
 /// that deviation.
 std::array<float, kLucks> luck_deviates() {
   std::array<double, kLucks> means{};
@@ -52,12 +52,7 @@ std::array<Luck, kLucks> lucks_of(const Walk& walk) {
 
 Gait gait_with(const Walk& walk, const Command& command, const Luck& luck) {
   const sim::motion::Errand errand = sim::motion::errand_of(command);
-  if (command.body == Command::Body::walk_speed)
-    return sim::motion::at_speed(walk, true, errand.walk, errand.turn, luck);
-  const float gain = std::clamp(command.gain, 0.f, 1.f), squared = sim::squared_length(errand.walk);
-  if (squared > sim::motion::kNear * sim::motion::kNear)
-    return sim::motion::towards_far(walk, true, gain, errand.walk, squared, luck);
-  return sim::motion::towards_near(walk, true, gain, errand, walk.step_duration, luck);
+  return sim::motion::gait_of(walk, true, std::clamp(command.gain, 0.f, 1.f), errand, walk.step_duration, luck);
 }
 
 WalkRates gait_rates_of(const Gait& gait) { return {gait.velocity.x, gait.velocity.y, gait.turn_rate}; }
@@ -79,10 +74,11 @@ class Legs {
       wanted_ = doing_ == Doing::walking ? gait_of(command) : Gait{};
     }
     if (doing_ == Doing::stopping) since_ += kWalkTick;
-    const sim::Vec2 velocity = sim::motion::approach(velocity_, wanted_.velocity, walk_.acceleration * moving);
-    const float rate = sim::motion::approach(turn_rate_, wanted_.turn_rate, walk_.turn_acceleration * moving);
+    const auto velocity = sim::motion::approach(velocity_, wanted_.velocity, walk_.acceleration * moving);
+    const auto rate = sim::motion::approach(turn_rate_, wanted_.turn_rate, walk_.turn_acceleration * moving);
+    velocity_ = velocity.end, turn_rate_ = rate.end;
     const float share = moving / kWalkTick;
-    return {share * velocity.x, share * velocity.y, share * rate};
+    return {share * velocity.mean.x, share * velocity.mean.y, share * rate.mean};
   }
 
  private:

@@ -8,7 +8,7 @@
 
 #include "robot/fit/math/resampling.h"
 #include "robot/fit/walking/mean_walk.h"
-#include "sim/motion/walk.h"
+#include "sim/motion/gait.h"
 
 namespace robot::fit {
 namespace {

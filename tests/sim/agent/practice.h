@@ -31,7 +31,8 @@ struct Practice {
     scene.see_ball(turned_back(world.ball.position - body().position, body().facing));
     command = scene.decide(behaviour);
     world.kicked = kNobody;
-    motion::move({*surroundings().motion, effects, ball_model}, command, 1, 1, world);
+    const motion::Mover mover{&command, nullptr, &world, 1, 1, 0};
+    motion::move({*surroundings().motion, effects, ball_model}, {&mover, 1});
     nearest = std::min(nearest, distance(body().position, world.ball.position));
     ++world.tick;
     return world.kicked != kNobody;

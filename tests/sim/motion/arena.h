@@ -59,8 +59,8 @@ struct Arena {
     world.kicked = world.touched = world.whiffed = kNobody;
     const MotionParams params{model, effects, ball};
     const Pose2 told{body().position, body().heading};
-    motion::move(params, command, kRobot, steps, world);
-    motion::turn_head(params, command, told, steps, body());
+    const Mover mover{&command, &told, &world, kRobot, steps, steps};
+    motion::move(params, {&mover, 1});
     world.tick += steps;
   }
 };

@@ -1,5 +1,5 @@
 // Tests of the head.
-#include "sim/motion/head.h"
+#include "sim/motion/aim.h"
 
 #include <gtest/gtest.h>
 

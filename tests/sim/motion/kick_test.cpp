@@ -278,7 +278,8 @@ TEST(Kick, TwoInOneTickAddUpInAnyOrder) {
     const Tick delay = ticks(arena.model.kicks[0].delay) + 1;
     for (Tick tick = 0; tick < delay; ++tick, ++world.tick) {
       for (const int i : {first, second}) {
-        motion::move({arena.model, arena.effects, arena.ball}, commands[i], robots[i], 1, world);
+        const Mover mover{&commands[i], nullptr, &world, robots[i], 1, 0};
+        motion::move({arena.model, arena.effects, arena.ball}, {&mover, 1});
       }
     }
     return world;
