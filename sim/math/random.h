@@ -64,7 +64,9 @@ inline std::array<std::uint32_t, 4> draw(RandomKey key, std::uint32_t robot, Dra
 inline constexpr std::uint8_t kNobody = 255;
 
 /// Returns a number in [0, 1) with 24 random bits.
-constexpr float uniform(std::uint32_t word) { return static_cast<float>(static_cast<std::int32_t>(word >> 8)) * 0x1p-24f; }
+constexpr float uniform(std::uint32_t word) {
+  return static_cast<float>(static_cast<std::int32_t>(word >> 8)) * 0x1p-24f;
+}
 /// Returns two independent numbers of the standard normal distribution from two words (Box and Muller); |value| < 6.
 inline std::array<float, 2> normals(std::uint32_t first, std::uint32_t second) {
   const float radius = std::sqrt(-2.f * log(static_cast<float>((first >> 8) + 1) * 0x1p-24f));

@@ -9,7 +9,7 @@
 
 namespace sim::motion {
 
-/// Reports whether lanes are faster for so many robots than one robot after the other.
+/// Reports whether lanes are faster for this number of robots than one robot after the other.
 constexpr bool worth_lanes(std::size_t robots) { return robots >= 3; }
 
 /// Items that are worked on when they fill the lanes, and at the end. `run(items)` returns the number of those that it
