@@ -70,7 +70,8 @@ void believe_percepts(FilterBlock& block, const FilterConstants& constants) {
   const float most = squared(filter.lost_deviation), gate = squared(filter.reacquire);
   SIM_FOR_LANES(i) {
     const bool stands = block.stands[i] != 0;
-    const ImageNoise noise{stands ? standing.elevation : walking.elevation, stands ? standing.bearing : walking.bearing};
+    const ImageNoise noise{stands ? standing.elevation : walking.elevation,
+                           stands ? standing.bearing : walking.bearing};
     const Measured percept{block.position[i], block.velocity[i], {block.count[i], block.middle[i], block.spread[i]}};
     const Estimate ball = block.ball.get(i);
 

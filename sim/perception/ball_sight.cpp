@@ -84,8 +84,7 @@ Images images_of(float chance, float earlier, float ago) {
   const float count = 1 + chance * earlier;
   const float sum = 0.5f * chance * earlier * (earlier + 1), squares = sum * (2 * earlier + 1) * (1.f / 3);
   const float middle = sum / count;
-  return {count, (middle + ago) * kTickDuration,
-          (squares - sum * middle) * (kTickDuration * kTickDuration)};
+  return {count, (middle + ago) * kTickDuration, (squares - sum * middle) * (kTickDuration * kTickDuration)};
 }
 
 /// Returns the error of a velocity measured from images with this `spread` [s²], of a ball `range` [m] away at `place`
@@ -171,7 +170,8 @@ void measure_balls(PerceptBlock& block, const SightConstants& constants) {
   const float farthest = kBeyondRange * model.ball.far_range;
   SIM_FOR_LANES(i) {
     const bool stands = block.stands[i] != 0;
-    const ImageNoise noise{stands ? standing.elevation : walking.elevation, stands ? standing.bearing : walking.bearing};
+    const ImageNoise noise{stands ? standing.elevation : walking.elevation,
+                           stands ? standing.bearing : walking.bearing};
     const Vec2 place = turned_back(block.ball[i] - block.position[i], block.facing[i]);
     const Vec2 velocity = turned_back(block.velocity[i], block.facing[i]);
     const Images images = images_of(block.chance[i], block.earlier[i], block.ago[i]);
@@ -183,8 +183,7 @@ void measure_balls(PerceptBlock& block, const SightConstants& constants) {
 
     // several images also show the velocity
     const auto more = block.draws.draw(i, Draw::ball_noise);
-    const Vec2 error =
-        velocity_error(noise, place, block.range[i], height, images.spread, normals(more[0], more[1]));
+    const Vec2 error = velocity_error(noise, place, block.range[i], height, images.spread, normals(more[0], more[1]));
     const bool several = (images.spread > 0) & (block.range[i] > 0);
     block.place.set(i, select(several, seen.place + images.middle * error, seen.place));
     block.speed.set(i, select(several, velocity + error, velocity));

@@ -24,9 +24,7 @@ struct BallLanes {
   Lane<Vec2> position, velocity;
   Lane<float> variance, covariance, velocity_variance;
 
-  Estimate get(int i) const {
-    return {position[i], velocity[i], variance[i], covariance[i], velocity_variance[i]};
-  }
+  Estimate get(int i) const { return {position[i], velocity[i], variance[i], covariance[i], velocity_variance[i]}; }
   void set(int i, const Estimate& ball) {
     position.set(i, ball.position);
     velocity.set(i, ball.velocity);

@@ -130,7 +130,7 @@ inline float percept_variance(const ImageNoise& noise, float squared_range, floa
 
 /// The place of a thing in an image.
 struct Seen {
-  Vec2 place;     // [m, robot]
+  Vec2 place;             // [m, robot]
   std::int32_t is_valid;  // 0: above the horizon, or beyond the farthest percept; no bool, which lanes do not like
 };
 

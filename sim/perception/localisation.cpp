@@ -1,6 +1,7 @@
 #include "sim/perception/localisation.h"
 
 #include <algorithm>
+#include <array>
 
 #include "sim/math/lanes.h"
 #include "sim/perception/image.h"
@@ -113,9 +114,8 @@ void correct_poses(MarksBlock& block, const MarksConstants& constants) {
     const float noise = squared(model.translation_noise) * walked;
     const float noise_heading = squared(model.rotation_noise) * turned + squared(model.rotation_per_metre) * walked;
     const float systematic = squared(model.bias), astray = squared(block.deviation_heading[i]);
-    const Change place =
-        change_of(squared(block.deviation[i]), noise, noise + 0.5f * (systematic + astray) * walked * kCorrelated,
-                  block.of_position[i]);
+    const Change place = change_of(squared(block.deviation[i]), noise,
+                                   noise + 0.5f * (systematic + astray) * walked * kCorrelated, block.of_position[i]);
     const Change heading = change_of(squared(block.deviation_heading[i]), noise_heading,
                                      noise_heading + systematic * turned * kCorrelated, block.of_heading[i]);
 
@@ -185,8 +185,7 @@ void gather_looks(const Look& look, Tick steps, int i, MarksBlock& block) {
 }
 
 void scatter_looks(const MarksBlock& block, int i, const Look& look) {
-  look.beliefs->pose = {
-      {block.believed[i], block.believed_heading[i]}, block.deviation[i], block.deviation_heading[i]};
+  look.beliefs->pose = {{block.believed[i], block.believed_heading[i]}, block.deviation[i], block.deviation_heading[i]};
   look.cognition->walked = 0;
   look.cognition->turned = 0;
   look.cognition->flipped = block.flipped[i] != 0;
@@ -222,6 +221,19 @@ void look_round(const PerceptionParams& params, std::span<const Look> looks) {
     if (params.effects.pose_flips) in_lanes<flip_poses>(block, constants);
     for (std::size_t i = 0; i < some.size(); ++i) scatter_looks(block, static_cast<int>(i), some[i]);
   });
+}
+
+void localise(const PerceptionParams& params, std::span<const Look> looks) {
+  if (!params.effects.odometry_drift) return;
+  const Tick interval = ticks(params.model.localisation.mark_interval);
+  std::array<Look, kMostLooks> due;
+  std::size_t count = 0;
+  for (const Look& look : looks) {
+    if (params.effects.lost_pose && fell(look.body(), look.world->tick, look.steps))
+      lose_pose(params.model.localisation, *look.world, look.robot, look.beliefs->pose);
+    if (look.world->tick % interval < look.steps) due[count++] = look;
+  }
+  look_round(params, {due.data(), count});
 }
 
 }  // namespace sim::perception

@@ -14,6 +14,10 @@ namespace sim::perception {
 /// Returns the robot's true pose. [team_field]
 Pose2 true_pose(const World& world, int robot);
 
+/// Corrects the believed poses after `predict`. A robot that fell loses its pose. A robot looks at the marks in the first
+/// image of each `mark_interval` of game time. At most kMostLooks at once.
+void localise(const PerceptionParams& params, std::span<const Look> looks);
+
 /// Looks at the marks, for each robot after `steps` ticks without a look, at least the model's `mark_interval`. One draw
 /// settles the effect of odometry and marks on the belief in that time. Then the pose may flip, or the robot may notice
 /// its flip.

@@ -92,9 +92,12 @@ struct OdometryBlock {
 
 void predict_block(OdometryBlock& block, const OdometryConstants& constants) {
   SIM_FOR_LANES(i) {
-    const Odometry odometry =
-        odometry_of({block.position[i], block.heading[i], block.facing[i],
-                     {block.last_position[i], block.last_heading[i]}, block.scale[i], block.turn_scale[i]});
+    const Odometry odometry = odometry_of({block.position[i],
+                                           block.heading[i],
+                                           block.facing[i],
+                                           {block.last_position[i], block.last_heading[i]},
+                                           block.scale[i],
+                                           block.turn_scale[i]});
     block.ball.set(i, moved_on(constants, odometry, block.dt[i], block.ball.get(i)));
 
     // the believed pose

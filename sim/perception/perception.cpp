@@ -32,16 +32,6 @@ agent::Pose rough_pose(const Localisation& model, const World& world, int robot)
   return belief;
 }
 
-/// Lets the robots look at the marks whose `mark_interval` is over.
-void look_round_in_time(const PerceptionParams& params, std::span<const Look> looks) {
-  const Tick interval = ticks(params.model.localisation.mark_interval);
-  std::array<Look, kMostLooks> due;
-  std::size_t count = 0;
-  for (const Look& look : looks)
-    if (look.world->tick % interval < look.steps) due[count++] = look;
-  look_round(params, {due.data(), count});
-}
-
 /// Corrects the believed balls of at most `most` robots. One robot should not pay for the room of many.
 template <std::size_t most>
 void follow_ball(const PerceptionParams& params, std::span<const Look> looks) {
@@ -67,17 +57,8 @@ void enter(const PerceptionParams& params, const World& world, int robot, agent:
 }
 
 void perceive(const PerceptionParams& params, std::span<const Look> looks) {
-  // prediction by the robot's own odometry
   predict(params, looks);
-  if (params.effects.odometry_drift) {
-    if (params.effects.lost_pose)
-      for (const Look& look : looks)
-        if (fell(look.body(), look.world->tick, look.steps))
-          lose_pose(params.model.localisation, *look.world, look.robot, look.beliefs->pose);
-    look_round_in_time(params, looks);
-  }
-
-  // correction by the images
+  localise(params, looks);
   if (looks.size() <= kLanes)
     follow_ball<kLanes>(params, looks);
   else

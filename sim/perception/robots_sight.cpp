@@ -57,7 +57,8 @@ void glance_at_opponents(GlanceBlock& block, const GlanceConstants& constants) {
     const auto words = block.draws.draw(i, Draw::opponent_seen);
     const bool detected = uniform(words[0]) < probability(model.robots, range);
     const bool stands = block.stands[i] != 0;
-    const ImageNoise noise{stands ? standing.elevation : walking.elevation, stands ? standing.bearing : walking.bearing};
+    const ImageNoise noise{stands ? standing.elevation : walking.elevation,
+                           stands ? standing.bearing : walking.bearing};
     const Vec2 place = turned_back(to_it, block.facing[i]);
     const Seen seen = seen_through(noise, place, range, model.camera.height, farthest, normals(words[1], words[2]));
     const Vec2 believed = select(exact != 0, place, seen.place);

@@ -7,6 +7,7 @@
 #include "robot/fit/math/angles.h"
 #include "sim/io/matchup.h"
 #include "sim/perception/localisation.h"
+#include "sim/perception/odometry.h"
 
 namespace robot::tests {
 namespace {
@@ -85,8 +86,9 @@ class PoseWalker {
   }
 
   void perceive() {
-    const auto odometry = sim::perception::read_odometry(body(), cognition_);
-    sim::perception::localise(perception_, world_, 0, 1, odometry, beliefs_.pose, cognition_);
+    const sim::perception::Look look{&world_, &beliefs_, &cognition_, 0, 1};
+    sim::perception::predict(perception_, {&look, 1});
+    sim::perception::localise(perception_, {&look, 1});
     write_pose();
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "sim/perception/odometry.h"
 #include "tests/sim/perception/scene.h"
 
 namespace sim::perception {
@@ -18,6 +19,22 @@ Scene watching_scene(std::uint64_t seed) {
   scene.effects.limited_view = scene.effects.ball_noise = true;
   scene.enter();
   return scene;
+}
+
+/// Predicts a ball for a robot that stands still.
+void predict_ball(Scene& scene, Tick steps, agent::Ball& ball) {
+  scene.beliefs.ball = ball;
+  const Look look = scene.look_after(steps);
+  predict(scene.params(), {&look, 1});
+  ball = scene.beliefs.ball;
+}
+
+/// Lets the robot take a percept at this place [m, robot] in the next image.
+void see_at(Scene& scene, Vec2 place) {
+  const BallPercept percept{.seen = true, .position = place, .images = {.count = 1}};
+  ++scene.world.tick;
+  const Look look = scene.look_after(1);
+  update(scene.params(), {&look, 1}, {&percept, 1});
 }
 
 float miss_of(const Scene& scene) { return distance(scene.beliefs.ball.position, scene.world.ball.position); }
@@ -47,7 +64,7 @@ TEST(BallFilter, UncertaintyGrowsUnseenAndAPerceptReducesIt) {
 }
 
 TEST(BallFilter, ManyShortPredictionsEndWhereOneLongOneDoes) {
-  const Scene scene = watching_scene(1);
+  Scene scene = watching_scene(1);
   std::mt19937 random(3);
   std::uniform_real_distribution<float> metres(-3, 3), share(0, 1);
   for (int i = 0; i < 200; ++i) {
@@ -58,8 +75,8 @@ TEST(BallFilter, ManyShortPredictionsEndWhereOneLongOneDoes) {
                       .velocity_variance = 0.1f * share(random),
                       .seen = 0};
     agent::Ball once = often;
-    for (int step = 0; step < 12; ++step) predict(scene.params(), {}, 1, often);
-    predict(scene.params(), {}, 12, once);
+    for (int step = 0; step < 12; ++step) predict_ball(scene, 1, often);
+    predict_ball(scene, 12, once);
     ASSERT_NEAR(distance(often.position, once.position), 0, 1e-4f);
     ASSERT_NEAR(distance(often.velocity, once.velocity), 0, 1e-4f);
     ASSERT_NEAR(often.variance, once.variance, 1e-4f);
@@ -69,7 +86,7 @@ TEST(BallFilter, ManyShortPredictionsEndWhereOneLongOneDoes) {
 }
 
 TEST(BallFilter, PredictsAsTheBallRolls) {
-  const Scene scene = watching_scene(1);
+  Scene scene = watching_scene(1);
   Ball truth;
   truth.velocity = {1, -0.5f};
   agent::Ball ball{.velocity = truth.velocity, .seen = 0};
@@ -77,7 +94,7 @@ TEST(BallFilter, PredictsAsTheBallRolls) {
     roll(truth, scene.ball.deceleration, 0, kTickDuration);
     agent::Ball unbounded = ball;
     unbounded.variance = unbounded.covariance = unbounded.velocity_variance = 0;
-    predict(scene.params(), {}, 1, unbounded);
+    predict_ball(scene, 1, unbounded);
     ball = unbounded;
     ASSERT_NEAR(distance(ball.position, truth.position), 0, 1e-3f);
   }
@@ -172,8 +189,8 @@ TEST(BallFilter, OneFalsePerceptDoesNotThrowAGoodTrackAway) {
   for (int i = 0; i < 30; ++i) scene.perceive();
   agent::Ball& ball = scene.beliefs.ball;
   const Tick seen = ball.seen;
-  const BallPercept elsewhere{.seen = true, .position = {3, 1.5f}};
-  update(scene.params(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
+  const Vec2 elsewhere{3, 1.5f};
+  see_at(scene, elsewhere);
   EXPECT_LT(miss_of(scene), 0.15f);
   EXPECT_EQ(ball.seen, seen);
   EXPECT_FALSE(ball.visible);
@@ -185,10 +202,10 @@ TEST(BallFilter, TwoPerceptsElsewhereAreBelieved) {
   Scene scene = watching_scene(6);
   for (int i = 0; i < 30; ++i) scene.perceive();
   agent::Ball& ball = scene.beliefs.ball;
-  const BallPercept elsewhere{.seen = true, .position = {2, 1}};
-  for (int i = 0; i < 2; ++i) update(scene.params(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
+  const Vec2 elsewhere{2, 1};
+  for (int i = 0; i < 2; ++i) see_at(scene, elsewhere);
   EXPECT_TRUE(ball.visible);
-  EXPECT_LT(distance(ball.position, elsewhere.position), 0.2f);
+  EXPECT_LT(distance(ball.position, elsewhere), 0.2f);
 }
 
 TEST(BallFilter, AForgottenBallJumpsToItsNextPercept) {
@@ -197,10 +214,10 @@ TEST(BallFilter, AForgottenBallJumpsToItsNextPercept) {
   scene.look(2, 0);
   scene.perceive(ticks(kForgotten));
   agent::Ball& ball = scene.beliefs.ball;
-  const BallPercept elsewhere{.seen = true, .position = {0.5f, 1.8f}};
-  update(scene.params(), scene.body(), elsewhere, 1, ++scene.world.tick, ball);
+  const Vec2 elsewhere{0.5f, 1.8f};
+  see_at(scene, elsewhere);
   EXPECT_TRUE(ball.visible);
-  EXPECT_NEAR(distance(ball.position, elsewhere.position), 0, 1e-6f);
+  EXPECT_NEAR(distance(ball.position, elsewhere), 0, 1e-6f);
   EXPECT_EQ(ball.velocity, Vec2{});
 }
 

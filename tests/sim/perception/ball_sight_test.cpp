@@ -19,9 +19,18 @@ Scene clear_scene() {
   return scene;
 }
 
+/// Returns the percept of the last `steps` images, of a ball that was followed or not.
+BallPercept percept_of(Scene& scene, Tick steps, bool followed) {
+  scene.beliefs.ball.visible = followed;
+  const Look look = scene.look_after(steps);
+  BallPercept percept;
+  look_for_ball(scene.params(), {&look, 1}, {&percept, 1});
+  return percept;
+}
+
 BallPercept look(Scene& scene) {
   ++scene.world.tick;
-  return look_for_ball(scene.params(), scene.world, Scene::kRobot, 1, false);
+  return percept_of(scene, 1, false);
 }
 
 /// Returns the number of images, out of `images`, in which the ball is seen.
@@ -139,7 +148,7 @@ TEST(BallSight, ManyImagesAtOnceAreAsInformativeAsSingleOnes) {
     if (last < kImages) ++seen[last];
     information += count;
 
-    const BallPercept percept = look_for_ball(scene.params(), scene.world, Scene::kRobot, kImages, true);
+    const BallPercept percept = percept_of(scene, kImages, true);
     if (!percept.seen) continue;
     ++together[percept.ago];
     const Images& images = percept.images;
@@ -157,7 +166,7 @@ TEST(BallSight, ManyImagesAtOnceAreAsInformativeAsSingleOnes) {
 
   // across the line of sight the error is the bearing's noise
   const double looks = together[0] + together[1] + together[2] + together[3] + together[4] + together[5];
-  const double one = static_cast<double>(image_noise(scene.model, scene.body()).bearing);
+  const double one = static_cast<double>(image_noise(scene.model, true).bearing);
   EXPECT_NEAR(error / looks / one, 1, 0.05);
   EXPECT_NEAR(velocity_error / several / one, 1, 0.05);
 }
@@ -169,7 +178,7 @@ TEST(BallSight, ForABallThatWasNotFollowedOnlyTheNewestImageCounts) {
   scene.place_ball({1, 0});
   for (int i = 0; i < 1000; ++i) {
     const BallPercept one = look(scene);
-    const BallPercept several = look_for_ball(scene.params(), scene.world, Scene::kRobot, 6, false);
+    const BallPercept several = percept_of(scene, 6, false);
     EXPECT_EQ(several.seen, one.seen);
     EXPECT_EQ(several.position, one.position);
     EXPECT_EQ(several.images.count, 1);

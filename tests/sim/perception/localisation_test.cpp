@@ -36,8 +36,9 @@ TEST(Localisation, AWindowAgreesWithInView) {
     scene.stand({metres(random), metres(random)}, metres(random));
     scene.look(yaws(random), pitches(random));
     const Sighting mark = sighting_of(scene.body(), {metres(random), metres(random)}, camera.height);
-    const bool shown = in_view(window_of(camera, scene.body(), 2.5f), mark.to_it, mark.square);
-    ASSERT_EQ(shown, in_view(camera, scene.body(), look_of(scene.body()), 2.5f, mark)) << "case " << i;
+    const bool shown =
+        in_view(window_of(camera, look_of(scene.body()), scene.body().head_pitch, 2.5f), mark.to_it, mark.square);
+    ASSERT_EQ(shown, in_view(camera, scene.body().head_pitch, look_of(scene.body()), 2.5f, mark)) << "case " << i;
     seen += shown ? 1 : 0;
   }
   EXPECT_GT(seen, 500);

@@ -83,16 +83,20 @@ TEST(RobotsSight, IsDetectedByItsDistanceAndWithNoise) {
   const int looks = 5000;
   int seen = 0;
   double squares = 0;
-  for (std::uint32_t i = 0; i < looks; ++i) {
+  // the first tick in which the opponent's turn comes
+  const Look look = scene.look_after(1);
+  scene.world.tick = static_cast<Tick>(kPlayer) * kGlance;
+  for (int i = 0; i < looks; ++i) {
     scene.beliefs.opponents[kPlayer] = {};
-    look_for_opponent(scene.params(), scene.world, Scene::kRobot, Scene::kOpponent, i, scene.beliefs);
+    scene.world.tick += static_cast<Tick>(scene.world.players) * kGlance;
+    look_for_opponents(scene.params(), {&look, 1});
     const agent::Opponent& opponent = scene.beliefs.opponents[kPlayer];
     if (opponent.seen == kNever) continue;
     ++seen;
     squares += squared_length(opponent.position - Vec2{2, 0});
   }
   EXPECT_NEAR(static_cast<float>(seen) / looks, probability(scene.model.robots, 2), 0.02f);
-  const float variance = percept_variance(image_noise(scene.model, scene.body()), 4, scene.model.camera.height);
+  const float variance = percept_variance(image_noise(scene.model, true), 4, scene.model.camera.height);
   EXPECT_NEAR(squares / seen / (2 * variance), 1, 0.25);
 }
 

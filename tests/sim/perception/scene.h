@@ -92,10 +92,13 @@ struct Scene {
   }
 
   void enter() { perception::enter(params(), world, kRobot, beliefs, cognition); }
+  /// Returns a look at the present world.
+  Look look_after(Tick steps) { return {&world, &beliefs, &cognition, kRobot, steps}; }
   /// Perceives the present world after this many ticks.
   void perceive(Tick steps = 1) {
     world.tick += steps;
-    perception::perceive(params(), world, kRobot, steps, beliefs, cognition);
+    const Look look = look_after(steps);
+    perception::perceive(params(), {&look, 1});
   }
 
   /// Walks and turns for a tick with these speeds. [m/s, robot], [rad/s]
