@@ -65,7 +65,7 @@ SimulatedImage image_of(const sim::Params& params, const sim::World& world, int 
   image = {.taken = true, .head_yaw = body.head_yaw, .head_pitch = body.head_pitch};
   const sim::perception::PerceptionParams perception{own.perception, own.effects,    params.rules.field,
                                                      params.marks,   common.contact, common.ball};
-  image.ball = sim::perception::look_for_ball(perception, world, robot, 1, false);
+  image.ball = sim::perception::look_for_ball(perception, world, robot);
   if (!image.ball.seen) return image;
   const sim::perception::Camera& camera = own.perception.camera;
   const float size = common.ball.radius;

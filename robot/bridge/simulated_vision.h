@@ -17,7 +17,7 @@ namespace robot::bridge {
 struct SimulatedImage {
   bool taken = false;                  // false: the robot lies or is beside the field
   float head_yaw = 0, head_pitch = 0;  // [rad]
-  sim::perception::BallPercept ball;
+  sim::perception::BallPercept ball{};
   float ball_radius = 0;  // [px] as the vision measures it; 0 without a ball
 };
 

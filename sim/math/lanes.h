@@ -67,6 +67,9 @@ struct DrawLanes {
   }
 };
 
+/// For tests: true limits all kernels to the vectors that each processor of this kind has. Set it while no game is played.
+inline bool only_narrow_lanes = false;
+
 namespace detail {
 
 template <auto kernel, class... Args>
@@ -79,7 +82,7 @@ template <auto kernel, class... Args>
 [[gnu::target("avx2"), gnu::flatten, gnu::noinline]] void run_wide(Args&... args) {
   kernel(args...);
 }
-inline bool has_wide_lanes() { return __builtin_cpu_supports("avx2") != 0; }
+inline bool has_wide_lanes() { return !only_narrow_lanes && __builtin_cpu_supports("avx2") != 0; }
 #else
 template <auto kernel, class... Args>
 void run_wide(Args&... args) {

@@ -316,4 +316,12 @@ void look_for_ball(const PerceptionParams& params, std::span<const Look> looks, 
   }
 }
 
+BallPercept look_for_ball(const PerceptionParams& params, const World& world, int robot) {
+  agent::Beliefs unseen;
+  const Look look{&world, &unseen, nullptr, robot, 1};
+  BallPercept percept;
+  look_for_ball(params, {&look, 1}, {&percept, 1});
+  return percept;
+}
+
 }  // namespace sim::perception

@@ -35,4 +35,7 @@ struct BallPercept {
 /// robot's own later images would have corrected them by now.
 void look_for_ball(const PerceptionParams& params, std::span<const Look> looks, std::span<BallPercept> percepts);
 
+/// Returns the percept of the robot's image at `world.tick` alone.
+BallPercept look_for_ball(const PerceptionParams& params, const World& world, int robot);
+
 }  // namespace sim::perception
