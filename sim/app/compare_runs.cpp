@@ -210,12 +210,10 @@ int run_verify(const CompareTask& task, const contest::Comparison& comparison, c
   const std::int64_t chosen[kVerified] = {static_cast<std::int64_t>(task.choice.seed) % blocks, blocks - 1};
   for (const std::int64_t block : chosen) {
     const auto kept = folder.read(block);
-    bool same = true;
-    for (std::int64_t i = 0; i < contest::RunFolder::kPairsPerBlock; ++i) {
-      const auto played = comparison.play(block * contest::RunFolder::kPairsPerBlock + i);
-      if (!played) return fail(played.error());
-      same = same && played->pair == (*kept)[static_cast<std::size_t>(i)];
-    }
+    constexpr std::int64_t kPairs = contest::RunFolder::kPairsPerBlock;
+    const auto played = comparison.play(block * kPairs, kPairs);
+    if (!played) return fail(played.error());
+    const bool same = std::ranges::equal(played->pairs, *kept);
     if (!same) ++differing;
     std::printf("block %lld: %s\n", static_cast<long long>(block), same ? "identical" : "NOT identical");
   }
@@ -226,10 +224,9 @@ int run_slurm(const CompareTask& task, const contest::Comparison& comparison, co
               const std::vector<std::string>& words) {
   // the time of a block decides the number of blocks per task
   const auto start = std::chrono::steady_clock::now();
-  if (const auto played = comparison.play(0); !played) return fail(played.error());
+  if (const auto played = comparison.play(0, contest::RunFolder::kPairsPerBlock); !played) return fail(played.error());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const contest::Division division =
-      contest::divide(task.contest.most_blocks(), seconds.count() * contest::RunFolder::kPairsPerBlock);
+  const contest::Division division = contest::divide(task.contest.most_blocks(), seconds.count());
   const auto submitted = contest::submit(words, division, folder);
   if (!submitted) return fail(submitted.error());
   std::printf("%lld blocks in %lld tasks: job %s; their verdict: job %s, in %s/result.json\n",

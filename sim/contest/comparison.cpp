@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
@@ -125,80 +127,135 @@ Result<Comparison> Comparison::prepare(const ComparisonChoice& choice) {
   return made;
 }
 
-Result<Comparison::Score> Comparison::play(const Seat& seat, const Start& start) const {
-  const Cast cast(seat.lineup, start.seed);
-  const Params& params = cast.params();
-  referee::Events events;
-  State state = seat.openings.begin(params, start, events);
-  Hash happened;
-  const int before[2] = {state.book.score[0], state.book.score[1]};
-  const Tick end = choice_.seconds > 0 ? state.world.tick + ticks(static_cast<float>(choice_.seconds)) : kNever;
-  const float sign = attack_sign(state.world, seat.side);
-  const float ball_from = sign * state.world.ball.position.x;
-  const bool first_ends = choice_.metric == Metric::first_goal || choice_.metric == Metric::ball_advance;
-  std::optional<Side> first;
-  sim::play(
-      params, state, [&](const State& now) { return now.world.tick >= end || (first && first_ends) || cast.failed(); },
-      [&](const referee::Event& event) {
-        happened.add(static_cast<std::uint64_t>(event.kind)), happened.add(event.tick);
-        if (event.kind == Kind::goal && !first) first = event.side;
-      });
-  if (cast.failed()) return Error{cast.problem()};
+/// One game of a pair, from its opening to its score.
+class Comparison::Game {
+ public:
+  State state;
 
-  const auto scored = [&](Side side) {
-    const int index = static_cast<int>(side);
-    return state.book.score[index] - before[index];
-  };
-  happened.add(hash_of_game(state));
-  Score score{.own = scored(seat.side), .other = scored(other(seat.side)), .hash = happened.value()};
-  score.cost[0] = cast.cost(seat.side), score.cost[1] = cast.cost(other(seat.side));
-  const int winner = !first ? 0 : *first == seat.side ? 1 : -1;
-  switch (choice_.metric) {
-    case Metric::goals: score.value = score.own - score.other; break;
-    case Metric::first_goal: score.value = winner; break;
-    case Metric::conceded: score.value = -score.other; break;
-    case Metric::score_within: score.value = score.own > 0 ? 1 : 0; break;
-    case Metric::ball_advance: {
-      // after a goal the ball is back in the middle at once, so its way ends at the goal line
-      const float line = static_cast<float>(winner) * params.rules.field.length / 2;
-      const float ball_to = winner != 0 ? line : sign * state.world.ball.position.x;
-      score.value = static_cast<int>(std::lround(100 * (ball_to - ball_from)));
-    }
+  Game(const ComparisonChoice& choice, const Seat& seat, const Start& start, const Cast& cast)
+      : choice_(&choice), side_(seat.side), cast_(&cast) {
+    referee::Events events;
+    state = seat.openings.begin(cast.params(), start, events);
+    for (const int index : {0, 1}) before_[index] = state.book.score[index];
+    if (choice.seconds > 0) end_ = state.world.tick + ticks(static_cast<float>(choice.seconds));
+    sign_ = attack_sign(state.world, side_);
+    ball_from_ = sign_ * state.world.ball.position.x;
   }
-  return score;
+
+  bool goes_on() const {
+    const bool first_ends = choice_->metric == Metric::first_goal || choice_->metric == Metric::ball_advance;
+    return state.world.tick < end_ && !(first_ && first_ends) && !cast_->failed();
+  }
+
+  void hear(const referee::Event& event) {
+    happened_.add(static_cast<std::uint64_t>(event.kind)), happened_.add(event.tick);
+    if (event.kind == Kind::goal && !first_) first_ = event.side;
+  }
+
+  Score score() {
+    happened_.add(hash_of_game(state));
+    Score score{.own = scored(side_), .other = scored(other(side_)), .hash = happened_.value()};
+    const int winner = !first_ ? 0 : *first_ == side_ ? 1 : -1;
+    switch (choice_->metric) {
+      case Metric::goals: score.value = score.own - score.other; break;
+      case Metric::first_goal: score.value = winner; break;
+      case Metric::conceded: score.value = -score.other; break;
+      case Metric::score_within: score.value = score.own > 0 ? 1 : 0; break;
+      case Metric::ball_advance: {
+        // after a goal the ball is back in the middle at once, so its way ends at the goal line
+        const float line = static_cast<float>(winner) * cast_->params().rules.field.length / 2;
+        const float ball_to = winner != 0 ? line : sign_ * state.world.ball.position.x;
+        score.value = static_cast<int>(std::lround(100 * (ball_to - ball_from_)));
+      }
+    }
+    return score;
+  }
+
+ private:
+  int scored(Side side) const {
+    const int index = static_cast<int>(side);
+    return state.book.score[index] - before_[index];
+  }
+
+  const ComparisonChoice* choice_;
+  Side side_;
+  const Cast* cast_;
+  Hash happened_;
+  int before_[2] = {};
+  Tick end_ = kNever;
+  float sign_ = 1, ball_from_ = 0;
+  std::optional<Side> first_;
+};
+
+Result<Comparison::Scores> Comparison::play(const Seat& seat, std::span<const Start> starts) const {
+  // a behaviour from outside plays one game, trees play many
+  const bool alone = seat.lineup.has_guest(Side::home) || seat.lineup.has_guest(Side::away);
+  const std::size_t together = alone ? 1 : starts.size();
+  Scores scores;
+  for (std::size_t begin = 0; begin < starts.size(); begin += together) {
+    const Cast cast(seat.lineup, starts[begin].seed);
+    std::vector<Game> games;
+    for (const Start& start : starts.subspan(begin, together)) games.emplace_back(choice_, seat, start, cast);
+    std::size_t begun = 0;
+    play_many<Game>(cast.params(), kTogether, [&](Game*) { return begun < games.size() ? &games[begun++] : nullptr; });
+    if (cast.failed()) return Error{cast.problem()};
+    for (Game& game : games) scores.games.push_back(game.score());
+    scores.cost[0].add(cast.cost(seat.side));
+    scores.cost[1].add(cast.cost(other(seat.side)));
+  }
+  return scores;
 }
 
-Result<PlayedPair> Comparison::play(std::int64_t number) const {
-  PlayedPair played;
+Start Comparison::start_of(std::int64_t number, int place) const {
+  const bool other_luck = choice_.unpaired && place == 1;
+  return {.seed = seed_of(number) + (other_luck ? kOtherLuck : 0), .moment = seed_of(number), .turned = other_luck};
+}
+
+compare::Pair Comparison::pair_of(const Scores (&a)[2], const Scores (&b)[2], std::size_t number) const {
+  compare::Pair pair;
   Hash happened;
   std::uint64_t of_b[2] = {}, of_a[2] = {};
   for (const int place : {0, 1}) {
-    const auto index = static_cast<std::size_t>(place);
-    const bool other_luck = choice_.unpaired && place == 1;
-    const Start start{
-        .seed = seed_of(number) + (other_luck ? kOtherLuck : 0), .moment = seed_of(number), .turned = other_luck};
-    const auto b = play(b_[index], start);
-    if (!b) return b.failure();
-    Score a{.own = b->other, .other = b->own};  // against each other: the same game from A's side
-    a.cost[0] = b->cost[1];
-    int gain = b->value;
+    const Score& of = b[place].games[number];
+    Score against{.own = of.other, .other = of.own};  // against each other: the same game from A's side
+    int gain = of.value;
     if (!a_.empty()) {
-      const auto other_game = play(a_[index], start);
-      if (!other_game) return other_game.failure();
-      a = *other_game;
-      gain = b->value - a.value;
+      against = a[place].games[number];
+      gain = of.value - against.value;
     } else if (choice_.metric == Metric::score_within) {
-      gain = b->value - (b->other > 0 ? 1 : 0);
+      gain = of.value - (of.other > 0 ? 1 : 0);
     }
     // against each other: the game in which A has B's seat is the other one of the pair
-    of_b[place] = b->hash, of_a[a_.empty() ? 1 - place : place] = a_.empty() ? b->hash : a.hash;
-    happened.add(b->hash), happened.add(a.hash);
-    played.pair.games[place] = {.gain = gain, .goals = {a.own, b->own}, .conceded = {a.other, b->other}};
-    played.cost[0].add(a.cost[0]);
-    played.cost[1].add(b->cost[0]);
+    of_b[place] = of.hash, of_a[a_.empty() ? 1 - place : place] = a_.empty() ? of.hash : against.hash;
+    happened.add(of.hash), happened.add(against.hash);
+    pair.games[place] = {.gain = gain, .goals = {against.own, of.own}, .conceded = {against.other, of.other}};
   }
-  played.pair.same = of_a[0] == of_b[0] && of_a[1] == of_b[1];
-  played.pair.hash = happened.value();
+  pair.same = of_a[0] == of_b[0] && of_a[1] == of_b[1];
+  pair.hash = happened.value();
+  return pair;
+}
+
+Result<PlayedPairs> Comparison::play(std::int64_t first, std::int64_t count) const {
+  PlayedPairs played;
+  Scores a[2], b[2];  // by the game's place in the pair
+  for (const int place : {0, 1}) {
+    const auto index = static_cast<std::size_t>(place);
+    std::vector<Start> starts;
+    for (std::int64_t number = first; number < first + count; ++number) starts.push_back(start_of(number, place));
+    auto of_b = play(b_[index], starts);
+    if (!of_b) return of_b.failure();
+    b[place] = *std::move(of_b);
+    played.cost[1].add(b[place].cost[0]);
+    if (a_.empty()) {
+      played.cost[0].add(b[place].cost[1]);
+      continue;
+    }
+    auto of_a = play(a_[index], starts);
+    if (!of_a) return of_a.failure();
+    a[place] = *std::move(of_a);
+    played.cost[0].add(a[place].cost[0]);
+  }
+  for (std::int64_t i = 0; i < count; ++i) played.pairs.push_back(pair_of(a, b, static_cast<std::size_t>(i)));
   return played;
 }
 

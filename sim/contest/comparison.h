@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,9 +46,9 @@ struct ComparisonChoice {
   Conditions conditions;
 };
 
-/// A pair, and the cost of the decisions in it.
-struct PlayedPair {
-  compare::Pair pair;
+/// Pairs in a row, and the cost of the decisions in them.
+struct PlayedPairs {
+  std::vector<compare::Pair> pairs;
   DecisionCost cost[2];  // of A, of B
 };
 
@@ -59,8 +60,9 @@ class Comparison {
   const ComparisonChoice& choice() const { return choice_; }
   double unit() const { return unit_of(choice_.metric); }
 
-  /// Plays pair `number`. The result is always the same. Returns an Error if a behaviour from outside does not answer.
-  robot::Result<PlayedPair> play(std::int64_t number) const;
+  /// Plays `count` pairs from pair `first` on, their games side by side. The result of a pair is always the same. Returns
+  /// an Error if a behaviour from outside does not answer.
+  robot::Result<PlayedPairs> play(std::int64_t first, std::int64_t count) const;
 
   /// Returns the seed of a pair's games.
   std::uint64_t seed_of(std::int64_t number) const { return choice_.seed + static_cast<std::uint64_t>(number); }
@@ -85,10 +87,17 @@ class Comparison {
     int own = 0, other = 0;  // goals
     int value = 0;           // by the metric
     std::uint64_t hash = 0;  // of all that happened
-    DecisionCost cost[2];    // of the judged side, of the other side
   };
+  /// The scores of games by their start, and the cost of decisions of the judged side and of the other side.
+  struct Scores {
+    std::vector<Score> games;
+    DecisionCost cost[2];
+  };
+  class Game;
 
-  robot::Result<Score> play(const Seat& seat, const Start& start) const;
+  robot::Result<Scores> play(const Seat& seat, std::span<const Start> starts) const;
+  compare::Pair pair_of(const Scores (&a)[2], const Scores (&b)[2], std::size_t number) const;
+  Start start_of(std::int64_t number, int place) const;
   robot::Result<void> seat(std::vector<Seat>& seats, const std::string& judged, const std::string& against, Side side,
                            bool changed);
   robot::Result<std::string> probe() const;

@@ -56,15 +56,13 @@ bool receive_all(int line, void* bytes, std::size_t size) {
 
 Message play(const Comparison& comparison, std::int64_t block) {
   Message message;
-  for (std::size_t i = 0; i < kPairs; ++i) {
-    const auto played = comparison.play(block * RunFolder::kPairsPerBlock + static_cast<std::int64_t>(i));
-    if (!played) {
-      std::strncpy(message.problem, played.error().c_str(), sizeof message.problem - 1);
-      return message;
-    }
-    message.pairs[i] = played->pair;
-    for (const int behaviour : {0, 1}) message.cost[behaviour].add(played->cost[behaviour]);
+  const auto played = comparison.play(block * RunFolder::kPairsPerBlock, RunFolder::kPairsPerBlock);
+  if (!played) {
+    std::strncpy(message.problem, played.error().c_str(), sizeof message.problem - 1);
+    return message;
   }
+  std::ranges::copy(played->pairs, message.pairs);
+  for (const int behaviour : {0, 1}) message.cost[behaviour] = played->cost[behaviour];
   message.good = true;
   return message;
 }

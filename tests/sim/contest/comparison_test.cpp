@@ -20,9 +20,23 @@ Comparison prepared(const ComparisonChoice& choice) {
 }
 
 compare::Pair pair_of(const Comparison& comparison, std::int64_t number) {
-  const auto played = comparison.play(number);
+  const auto played = comparison.play(number, 1);
   EXPECT_TRUE(played) << played.error();
-  return played->pair;
+  return played->pairs.front();
+}
+
+TEST(Comparison, PairsPlayedTogetherAreThosePlayedAlone) {
+  for (const char* opponent : {"", "kick_now"})
+    for (const Metric metric : {Metric::goals, Metric::first_goal}) {
+      ComparisonChoice choice = short_games(metric);
+      choice.opponent = opponent;
+      const Comparison comparison = prepared(choice);
+      const auto together = comparison.play(2, 40);
+      ASSERT_TRUE(together) << together.error();
+      ASSERT_EQ(together->pairs.size(), 40u);
+      for (const std::int64_t number : {2, 17, 41})
+        EXPECT_EQ(together->pairs[static_cast<std::size_t>(number - 2)], pair_of(comparison, number)) << number;
+    }
 }
 
 TEST(Comparison, ThePairsOfASeedAreAlwaysTheSame) {

@@ -7,6 +7,7 @@
 
 #include "sim/match/hash.h"
 #include "sim/match/play.h"
+#include "sim/math/lanes.h"
 #include "tests/sim/support/games.h"
 
 namespace sim {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/perception/image.h"
 #include "tests/sim/perception/scene.h"
 
 namespace sim::perception {
