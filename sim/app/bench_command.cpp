@@ -1,6 +1,9 @@
 // foresight-sim bench: the cost of a game. Budget of a whole spl2012 game: 150 cycles per robot and tick, 12 ms.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
@@ -13,22 +16,24 @@ namespace {
 
 constexpr std::uint64_t kFirstBenchSeed = 1;
 
-/// The cost of one game.
+/// The cost of one game, or the mean cost of games that were played side by side.
 struct Cost {
   double ns = 0;             // computing time of the thread that played it
   double cycles_per_ns = 0;  // clock rate just before the game
   double robot_ticks = 0;
 };
 
-Cost cost_of(const contest::Lineup& lineup, std::uint64_t seed, contest::Problem& problem) {
-  const contest::Cast cast(lineup, seed);
+Cost cost_of(const contest::Lineup& lineup, std::uint64_t first_seed, int games, contest::Problem& problem) {
+  const contest::Cast cast(lineup, first_seed);
   const Params& params = cast.params();
+  std::vector<RandomKey> keys;
+  for (int game = 0; game < games; ++game) keys.push_back({.seed = first_seed + static_cast<std::uint64_t>(game)});
   Cost cost{.cycles_per_ns = cycles_per_ns()};
   const std::uint64_t begin = computed_ns();
-  const Result result = play_game(params, {.seed = seed});
+  const std::vector<Result> results = play_games(params, keys);
   if (cast.failed()) problem.tell(cast.problem());
-  cost.ns = static_cast<double>(computed_ns() - begin);
-  cost.robot_ticks = 2.0 * params.rules.players * result.ticks;
+  cost.ns = static_cast<double>(computed_ns() - begin) / games;
+  for (const Result& result : results) cost.robot_ticks += 2.0 * params.rules.players * result.ticks / games;
   return cost;
 }
 
@@ -48,29 +53,36 @@ class BenchCommand final : public Command {
         ->check(CLI::Range(1, 100'000))
         ->capture_default_str();
     options()
-        .add_option("--threads", threads_, "number of games at once")
-        ->check(CLI::Range(1, 256))
+        .add_option("--together", together_, "number of games side by side on a thread; figures are then their means")
+        ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+    options().add_option("--threads", threads_, "number of threads")->check(CLI::Range(1, 256))->capture_default_str();
     options().add_flag("--json", json_, "report as JSON");
   }
 
   int run() override {
     const auto lineup = choice_.line_up();
     if (!lineup) return fail(lineup.error());
+    if (together_ > 1 && (lineup->has_guest(Side::home) || lineup->has_guest(Side::away)))
+      return fail("--together: expected 1 with a behaviour from outside, which plays one game, got " +
+                  std::to_string(together_));
     contest::Problem problem;
-    cost_of(*lineup, 0, problem);  // warms the caches and the clock
+    cost_of(*lineup, 0, 1, problem);  // warms the caches and the clock
 
-    std::vector<Cost> costs(static_cast<std::size_t>(games_));
+    const int groups = (games_ + together_ - 1) / together_;
+    std::vector<Cost> costs(static_cast<std::size_t>(groups));
     const auto begin = std::chrono::steady_clock::now();
     {
       ProgressBar progress("playing", static_cast<std::uint64_t>(games_));
       contest::for_each_game(
-          games_, threads_,
-          [&](int game) {
-            costs[static_cast<std::size_t>(game)] =
-                cost_of(*lineup, kFirstBenchSeed + static_cast<std::uint64_t>(game), problem);
+          groups, threads_,
+          [&](int group) {
+            const int first = group * together_;
+            costs[static_cast<std::size_t>(group)] =
+                cost_of(*lineup, kFirstBenchSeed + static_cast<std::uint64_t>(first),
+                        std::min(together_, games_ - first), problem);
           },
-          [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
+          [&](int done) { progress.at(static_cast<std::uint64_t>(std::min(done * together_, games_))); });
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     if (problem.is_known()) return fail(problem.text());
@@ -96,6 +108,7 @@ class BenchCommand final : public Command {
         {"every_tick", params.pace == Pace::every_tick},
         {"games", games_},
         {"threads", threads_},
+        {"together", together_},
         {"game_ms", {{"median", contest::median_of(game_ms)}, {"mean", contest::mean_of(game_ms).mean}}},
         {"robot_tick_ns", contest::median_of(ns)},
         {"robot_tick_cycles", contest::median_of(cycles)},
@@ -115,7 +128,7 @@ class BenchCommand final : public Command {
   }
 
   ChoiceOptions choice_;
-  int games_ = 200, threads_ = 1;
+  int games_ = 200, threads_ = 1, together_ = 1;
   bool json_ = false;
 };
 
