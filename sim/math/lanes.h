@@ -72,31 +72,31 @@ inline bool only_narrow_lanes = false;
 
 namespace detail {
 
-template <auto kernel, class... Args>
+template <auto kKernel, class... Args>
 [[gnu::flatten, gnu::noinline]] void run_narrow(Args&... args) {
-  kernel(args...);
+  kKernel(args...);
 }
 
 #if defined(__x86_64__)
-template <auto kernel, class... Args>
+template <auto kKernel, class... Args>
 [[gnu::target("avx2"), gnu::flatten, gnu::noinline]] void run_wide(Args&... args) {
-  kernel(args...);
+  kKernel(args...);
 }
 inline bool has_wide_lanes() { return !only_narrow_lanes && __builtin_cpu_supports("avx2") != 0; }
 #else
-template <auto kernel, class... Args>
+template <auto kKernel, class... Args>
 void run_wide(Args&... args) {
-  run_narrow<kernel>(args...);
+  run_narrow<kKernel>(args...);
 }
 inline bool has_wide_lanes() { return false; }
 #endif
 
 }  // namespace detail
 
-/// Calls kernel(args...), compiled for the widest vectors of this processor. The result is the same for each width.
-template <auto kernel, class... Args>
+/// Calls kKernel(args...), compiled for the widest vectors of this processor. The result is the same for each width.
+template <auto kKernel, class... Args>
 void in_lanes(Args&... args) {
-  detail::has_wide_lanes() ? detail::run_wide<kernel>(args...) : detail::run_narrow<kernel>(args...);
+  detail::has_wide_lanes() ? detail::run_wide<kKernel>(args...) : detail::run_narrow<kKernel>(args...);
 }
 
 /// Calls each(items) for one part of `all` after the other, with at most kLanes items each.
