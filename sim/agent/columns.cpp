@@ -28,14 +28,10 @@ Column linear(Feature feature, const FeatureInfo& info) {
 
 float value_in(const Column& column, float value) {
   switch (column.form) {
-    case Form::linear:
-      return std::isnan(value) ? 0.f : clamp((value - column.offset) * column.factor, -1, 1);
-    case Form::squashed:
-      return std::isnan(value) ? 0.f : value / (column.scale + std::abs(value));
-    case Form::word:
-      return value == column.word ? 1.f : 0.f;
-    case Form::known:
-      return std::isnan(value) ? 0.f : 1.f;
+    case Form::linear: return std::isnan(value) ? 0.f : clamp((value - column.offset) * column.factor, -1, 1);
+    case Form::squashed: return std::isnan(value) ? 0.f : value / (column.scale + std::abs(value));
+    case Form::word: return value == column.word ? 1.f : 0.f;
+    case Form::known: return std::isnan(value) ? 0.f : 1.f;
   }
   return 0;
 }
@@ -87,12 +83,9 @@ std::string formula_of(const Column& column) {
     case Form::linear:
       return "(value - " + number_text(column.offset) + ") / " + number_text(1 / column.factor) +
              (info.unit[0] ? " " : "") + info.unit;
-    case Form::squashed:
-      return "value / (" + number_text(column.scale) + " " + info.unit + " + |value|)";
-    case Form::word:
-      return std::string("1 for ") + info.names[static_cast<int>(column.word)] + ", otherwise 0";
-    case Form::known:
-      return "1 while the value is known, otherwise 0";
+    case Form::squashed: return "value / (" + number_text(column.scale) + " " + info.unit + " + |value|)";
+    case Form::word: return std::string("1 for ") + info.names[static_cast<int>(column.word)] + ", otherwise 0";
+    case Form::known: return "1 while the value is known, otherwise 0";
   }
   return {};
 }

@@ -128,8 +128,7 @@ motion::Command TreeBehaviour::decide(const Surroundings& surroundings, const Ga
 
   prepare(view, mind);
   const std::uint16_t entry = entries_[view.ball_known][static_cast<int>(mind.role)];
-  const std::uint16_t number =
-      trace ? walk_down_explaining(tree_, view, *trace) : leaf_from(tree_, entry, view);
+  const std::uint16_t number = trace ? walk_down_explaining(tree_, view, *trace) : leaf_from(tree_, entry, view);
   return play_leaf(tree_, number, view, mind, trace);
 }
 

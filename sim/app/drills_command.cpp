@@ -82,15 +82,16 @@ class DrillsCommand final : public Command {
   }
 
   void print_json(const drills::Trials& trials) const {
-    const io::Json json = {{"drill", drill_},
-                           {"trials", trials.trials},
-                           {"succeeded", trials.succeeded},
-                           {"success", trials.share()},
-                           {"low", trials.interval.low},
-                           {"high", trials.interval.high},
-                           {"ended", {{"success", trials.successes}, {"failure", trials.failures}, {"time", trials.times_over}}},
-                           {"score", {{"mean", trials.score.mean}, {"standard_error", trials.score.error}}},
-                           {"seconds", {{"mean", trials.seconds.mean}, {"standard_error", trials.seconds.error}}}};
+    const io::Json json = {
+        {"drill", drill_},
+        {"trials", trials.trials},
+        {"succeeded", trials.succeeded},
+        {"success", trials.share()},
+        {"low", trials.interval.low},
+        {"high", trials.interval.high},
+        {"ended", {{"success", trials.successes}, {"failure", trials.failures}, {"time", trials.times_over}}},
+        {"score", {{"mean", trials.score.mean}, {"standard_error", trials.score.error}}},
+        {"seconds", {{"mean", trials.seconds.mean}, {"standard_error", trials.seconds.error}}}};
     std::printf("%s\n", json.dump(2).c_str());
   }
 

@@ -97,9 +97,9 @@ std::string end_of(Reader& reader, Json start, bool most) {
 
 void read_game(Reader& reader, const Json& json, Drill& drill) {
   Numbers numbers;
-  reader.read(json, "", Fields::some, numbers,
-              {"about", "home", "away", "rules", "models", "start", "success", "failure", "time_over", "score",
-               "progress"});
+  reader.read(
+      json, "", Fields::some, numbers,
+      {"about", "home", "away", "rules", "models", "start", "success", "failure", "time_over", "score", "progress"});
   std::string models = "match", time_over = "failure";
   read_text(reader, json, "about", drill.about);
   read_text(reader, json, "home", drill.game.strategies[0]);
@@ -133,10 +133,14 @@ Result<Drill> parse_drill(std::string_view text, const std::string& called) {
   read_condition(reader, *json, "failure", drill.failure);
   read_points(
       reader, *json, "score", [](check::Words& words) { return check::take_fact(words); },
-      [&](const check::Fact& fact, float points) { drill.score.push_back({fact, points}); });
+      [&](const check::Fact& fact, float points) {
+        drill.score.push_back({fact, points});
+      });
   read_points(
       reader, *json, "progress", [](check::Words& words) { return check::take_quantity(words); },
-      [&](int quantity, float points) { drill.progress.push_back({quantity, points}); });
+      [&](int quantity, float points) {
+        drill.progress.push_back({quantity, points});
+      });
   if (const auto start = json->find("start"); start != json->end() && reader.is_object(*start, "start")) {
     drill.least = end_of(reader, *start, false);
     drill.most = end_of(reader, *start, true);

@@ -55,7 +55,8 @@ bool is_roomy(const World& world) {
 robot::Result<Starts> Starts::prepare(const Drill& drill, const Params& params) {
   Starts starts;
   for (const bool most : {false, true}) {
-    const auto state = io::parse_situation(most ? drill.most : drill.least, "drill '" + drill.name + "': start", params);
+    const auto state =
+        io::parse_situation(most ? drill.most : drill.least, "drill '" + drill.name + "': start", params);
     if (!state) return state.failure();
     (most ? starts.most_ : starts.least_) = *state;
   }
