@@ -1,6 +1,6 @@
 #include "sim/agent/columns.h"
 
-#include <cassert>
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -26,16 +26,6 @@ Column linear(Feature feature, const FeatureInfo& info) {
           .factor = 1 / (signs ? info.most : info.most - info.least)};
 }
 
-float value_in(const Column& column, float value) {
-  switch (column.form) {
-    case Form::linear: return std::isnan(value) ? 0.f : clamp((value - column.offset) * column.factor, -1, 1);
-    case Form::squashed: return std::isnan(value) ? 0.f : value / (column.scale + std::abs(value));
-    case Form::word: return value == column.word ? 1.f : 0.f;
-    case Form::known: return std::isnan(value) ? 0.f : 1.f;
-  }
-  return 0;
-}
-
 /// Returns the number without zeros at its end.
 std::string number_text(float value) {
   std::string text = std::to_string(value);
@@ -46,21 +36,32 @@ std::string number_text(float value) {
 
 }  // namespace
 
-std::vector<Column> columns_of(std::span<const Feature> features) {
-  std::vector<Column> columns;
+Columns::Columns(std::span<const Feature> features) {
   for (const Feature feature : features) {
     const FeatureInfo& info = info_of(feature);
+    features_.push_back(&info);
     if (info.kind == FeatureInfo::Kind::name) {
       for (int word = 0; info.names[word]; ++word)
-        columns.push_back({.feature = feature, .form = Form::word, .word = static_cast<float>(word)});
+        add({.feature = feature, .form = Form::word, .word = static_cast<float>(word)});
     } else if (const float scale = scale_of(info); scale > 0) {
-      columns.push_back({.feature = feature, .form = Form::squashed, .scale = scale});
+      add({.feature = feature, .form = Form::squashed, .scale = scale});
     } else {
-      columns.push_back(linear(feature, info));
+      add(linear(feature, info));
     }
-    if (info.at_times_unknown) columns.push_back({.feature = feature, .form = Form::known});
+    if (info.at_times_unknown) add({.feature = feature, .form = Form::known});
   }
-  return columns;
+}
+
+void Columns::add(const Column& column) {
+  const int number = count(), lane = number % kLanes;
+  list_.push_back(column);
+  feature_of_.push_back(static_cast<std::uint16_t>(features_.size() - 1));
+  if (lane == 0) blocks_.push_back({});
+  Block& block = blocks_.back();
+  block.offset[lane] = column.offset, block.factor[lane] = column.factor;
+  block.base[lane] = column.scale, block.slope[lane] = column.form == Form::squashed ? 1.f : 0.f;
+  if (column.form == Form::word) words_.push_back(number);
+  if (column.form == Form::known) known_.push_back(number);
 }
 
 std::vector<Feature> built_in_features() {
@@ -90,8 +91,31 @@ std::string formula_of(const Column& column) {
   return {};
 }
 
-void observe(std::span<const Column> columns, const View& view, float* row) {
-  for (const Column& column : columns) *row++ = value_in(column, value_of(column.feature, view));
+void Columns::observe(const View& view, float* row) const {
+  float known[kMaxFeatures], values[kMaxColumns + kLanes], results[kMaxColumns + kLanes];
+  for (std::size_t i = 0; i < features_.size(); ++i) {
+    const FeatureInfo& info = *features_[i];
+    known[i] = info.needs_ball && !view.ball_known ? kUnknown : info.compute(view);
+  }
+  const std::size_t all = list_.size();
+  for (std::size_t i = 0; i < all; ++i) values[i] = known[feature_of_[i]];
+  std::fill_n(values + all, kLanes, 0.f);
+
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    const auto& [offset, factor, base, slope] = blocks_[block];
+    const float* const value = values + kLanes * block;
+    float* const result = results + kLanes * block;
+    SIM_FOR_LANES(i) {
+      const float x = (value[i] - offset[i]) * factor[i];
+      const float ratio = x / (base[i] + slope[i] * std::abs(x));
+      const float number = ratio == ratio ? ratio : 0.f;  // NaN is not equal to itself
+      const float low = number < -1.f ? -1.f : number;
+      result[i] = low > 1.f ? 1.f : low;
+    }
+  }
+  std::copy_n(results, all, row);
+  for (const int i : words_) row[i] = values[i] == list_[static_cast<std::size_t>(i)].word ? 1.f : 0.f;
+  for (const int i : known_) row[i] = values[i] == values[i] ? 1.f : 0.f;
 }
 
 }  // namespace sim::agent

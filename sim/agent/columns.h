@@ -14,12 +14,13 @@
 #include <vector>
 
 #include "sim/agent/features.h"
+#include "sim/math/lanes.h"
 
 namespace sim::agent {
 
 inline constexpr int kMaxColumns = 512;
 
-/// One number of an observation.
+/// One number of an observation, as a formula of a feature's value.
 struct Column {
   enum class Form : std::uint8_t { linear, squashed, word, known };
 
@@ -31,8 +32,6 @@ struct Column {
   float word = 0;   // word: the value for which the column is 1
 };
 
-/// Returns the columns of these features, in the same order. Their number is at most kMaxColumns.
-std::vector<Column> columns_of(std::span<const Feature> features);
 /// Returns all built-in features, in the order of their ids.
 std::vector<Feature> built_in_features();
 
@@ -41,7 +40,32 @@ std::string name_of(const Column& column);
 /// Returns the formula of the column: "value / (1 m + |value|)".
 std::string formula_of(const Column& column);
 
-/// Writes the value of each column to `row`. Each is in [-1, 1].
-void observe(std::span<const Column> columns, const View& view, float* row);
+/// The columns of some features. Immutable.
+class Columns {
+ public:
+  Columns() = default;
+  /// The columns are in the order of the features.
+  explicit Columns(std::span<const Feature> features);
+
+  int count() const { return static_cast<int>(list_.size()); }
+  const std::vector<Column>& list() const { return list_; }
+
+  /// Writes the value of each column to `row`. Each is in [-1, 1]. Allocates nothing. There are at most kMaxColumns.
+  void observe(const View& view, float* row) const;
+
+ private:
+  /// The terms of x / (base + slope * |x|) with x = (value - offset) * factor, for several columns at once.
+  struct Block {
+    Lane<float> offset, factor, base, slope;
+  };
+
+  void add(const Column& column);
+
+  std::vector<const FeatureInfo*> features_;
+  std::vector<Column> list_;
+  std::vector<std::uint16_t> feature_of_;  // by column: index in features_
+  std::vector<Block> blocks_;              // columns 0 .. 7, 8 .. 15, …
+  std::vector<int> words_, known_;         // columns of other forms
+};
 
 }  // namespace sim::agent

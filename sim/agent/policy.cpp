@@ -13,7 +13,7 @@ motion::Command play_choice(const Tree& tree, int choice, const View& view, Mind
 }
 
 PolicyBehaviour::PolicyBehaviour(Frame frame, Net net) : frame_(std::move(frame)), net_(std::move(net)) {
-  assert(net_.inputs() == static_cast<int>(frame_.columns.size()));
+  assert(net_.inputs() == frame_.columns.count());
   assert(net_.outputs() == static_cast<int>(frame_.tree.menu.size()));
 }
 
@@ -25,7 +25,7 @@ motion::Command PolicyBehaviour::decide(const Surroundings& surroundings, const 
 
   prepare(view, mind);
   float observation[kMaxColumns], outputs[kMaxWidth];
-  observe(frame_.columns, view, observation);
+  frame_.columns.observe(view, observation);
   evaluate(net_, observation, outputs);
   return play_choice(frame_.tree, largest(outputs, net_.outputs()), view, mind, trace);
 }

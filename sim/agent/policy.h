@@ -1,8 +1,6 @@
 // A learned policy: a net that chooses between the rules of a menu.
 #pragma once
 
-#include <vector>
-
 #include "sim/agent/columns.h"
 #include "sim/agent/net.h"
 #include "sim/agent/tree.h"
@@ -12,7 +10,7 @@ namespace sim::agent {
 /// The choices and the observations of a learner. `tree.menu` has the rules, 1 .. kMaxMenu.
 struct Frame {
   Tree tree;
-  std::vector<Column> columns;
+  Columns columns;
 };
 
 /// Plays rule `choice` of the menu in a decision during play. `view` is prepared.

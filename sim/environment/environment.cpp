@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "robot/core/json_library.h"
-#include "sim/environment/advance.h"
 #include "sim/io/json.h"
 #include "sim/match/snapshot.h"
 #include "sim/match/step.h"
@@ -17,7 +16,7 @@ using robot::Result;
 
 namespace {
 
-constexpr int kTogether = 8;  // games that are played in turns: their states fit the second cache
+constexpr int kTogether = 32;  // games that are played together: their states fit the second cache
 
 std::string name_of_robot(int robot) {
   return (side_of(robot) == Side::home ? "home_" : "away_") + std::to_string(player_of(robot));
@@ -107,7 +106,7 @@ Result<void> Environment::prepare() {
   }
 
   const std::size_t rows = states_.size() * agents_.size();
-  arrays_.observations.resize(rows * options_.frame.columns.size());
+  arrays_.observations.resize(rows * static_cast<std::size_t>(columns()));
   arrays_.actions.resize(rows * static_cast<std::size_t>(width()));
   arrays_.rewards.resize(rows);
   arrays_.terminated.resize(rows);
@@ -126,7 +125,7 @@ void Environment::describe() {
   const agent::Frame& frame = options_.frame;
   io::Json agents = io::Json::array(), columns = io::Json::array(), actions = io::Json::array();
   for (const int robot : agents_) agents.push_back(name_of_robot(robot));
-  for (const agent::Column& column : frame.columns) {
+  for (const agent::Column& column : frame.columns.list()) {
     const agent::FeatureInfo& info = agent::info_of(column.feature);
     columns.push_back({{"name", agent::name_of(column)},
                        {"feature", info.name},
@@ -239,7 +238,8 @@ void Environment::play(int first, int count) {
 
   referee::Events events[kTogether];
   for (int tick = 0; tick < options_.ticks && left > 0; ++tick) {
-    advance(game_.params, running, events, left);
+    const auto count = static_cast<std::size_t>(left);
+    step_many(game_.params, std::span(running, count), std::span(events, count));
     int still = 0;
     for (int i = 0; i < left; ++i) {
       judge(number[i], events[i]);
@@ -279,7 +279,7 @@ void Environment::observe(int game) {
     const agent::Game told = referee::game_for(game_.params.rules, state.world, state.book, robot);
     const Robot& self = state.robots[robot];
     const agent::View view(around, frame.tree.settings, told, self.beliefs, state.world.tick, self.mind);
-    agent::observe(frame.columns, view, arrays_.observations.data() + row * frame.columns.size());
+    frame.columns.observe(view, arrays_.observations.data() + row * static_cast<std::size_t>(columns()));
     arrays_.active[row] =
         agent::plays(told) && state.world.bodies[robot].doing != Body::Doing::removed && !episodes_[index].ended;
   }

@@ -40,7 +40,7 @@ class Environment {
 
   int games() const { return options_.games; }
   int agents() const { return static_cast<int>(agents_.size()); }
-  int columns() const { return static_cast<int>(options_.frame.columns.size()); }
+  int columns() const { return options_.frame.columns.count(); }
   int width() const { return width_of(options_.actions); }
   /// The actions are to be written.
   Arrays& arrays() { return arrays_; }

@@ -438,10 +438,10 @@ def save_policy(path, frame, layers, name="policy", about=""):
     `frame` is the option of that name: menu, inputs and settings. `layers` is a list of (weights, bias, activation), with
     a row of weights per output.
     """
+    rows = lambda weights: [[float("%.7g" % value) for value in row] for row in weights]
     policy = dict(frame, name=name, about=about)
-    policy["net"] = {"layers": [{"weights": [[float(value) for value in row] for row in weights],
-                                 "bias": [float(value) for value in bias],
-                                 "activation": activation} for weights, bias, activation in layers]}
+    policy["net"] = {"layers": [{"weights": rows(weights), "bias": rows([bias])[0], "activation": activation}
+                                for weights, bias, activation in layers]}
     with open(path, "w") as file:
-        json.dump(policy, file, indent=1)
+        json.dump(policy, file)
         file.write("\n")

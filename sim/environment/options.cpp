@@ -44,7 +44,7 @@ struct Numbers {
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
-    see("games", self.games, "", 1, kMostGames);
+    see("games", self.games, "", 1, kMostSideBySide);
     see("ticks", self.ticks, "", 1, 3000);
     see("players", self.players, "", 0, kMaxPlayers);
     see("seconds", self.seconds, "", 0.f, 36000.f);

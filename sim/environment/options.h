@@ -25,7 +25,7 @@
 
 namespace sim::environment {
 
-inline constexpr int kMostGames = 100'000;
+inline constexpr int kMostSideBySide = 100'000;
 
 struct Options {
   int games = 1;

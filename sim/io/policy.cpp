@@ -112,7 +112,7 @@ agent::Net read_net(Reader& reader, const Json& policy, const agent::Frame& fram
     reader.refuse("net.layers must be a list of 1 .. " + std::to_string(agent::kMaxLayers) + " layers");
     return net;
   }
-  int width = static_cast<int>(frame.columns.size());
+  int width = frame.columns.count();
   for (std::size_t i = 0; i < layers->size() && reader.good(); ++i) {
     net.layers.push_back(read_layer(reader, (*layers)[i], "net.layers[" + std::to_string(i) + "]", width));
     width = net.layers.back().outputs;
@@ -131,10 +131,10 @@ Result<agent::Frame> read_frame(const Json& policy, const std::string& called) {
   Result<agent::Tree> tree = parse_menu(strategy, called);
   if (!tree) return tree.failure();
   Reader reader(called);
-  agent::Frame frame{.tree = *std::move(tree), .columns = agent::columns_of(read_inputs(reader, policy))};
-  if (frame.columns.size() > agent::kMaxColumns)
+  agent::Frame frame{.tree = *std::move(tree), .columns = agent::Columns(read_inputs(reader, policy))};
+  if (frame.columns.count() > agent::kMaxColumns)
     reader.refuse("inputs must have at most " + std::to_string(agent::kMaxColumns) + " columns, got " +
-                  std::to_string(frame.columns.size()));
+                  std::to_string(frame.columns.count()));
   if (!reader.good()) return reader.error();
   return frame;
 }

@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   if (const auto drill = sim::drills::parse_drill(bytes, "drill 'fuzz'")) start(*drill);
   if (const auto policy = sim::io::parse_policy(bytes, "strategy 'fuzz'")) evaluate(*policy);
-  if (const auto options = sim::environment::read_options(bytes); options && options->frame.columns.empty())
+  if (const auto options = sim::environment::read_options(bytes); options && options->frame.columns.count() == 0)
     std::abort();
   return 0;
 }

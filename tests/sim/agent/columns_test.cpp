@@ -13,29 +13,29 @@ namespace {
 
 using Form = Column::Form;
 
-std::vector<float> observed(const std::vector<Column>& columns, const Scene& scene) {
-  std::vector<float> row(columns.size());
-  observe(columns, scene.view(), row.data());
+std::vector<float> observed(const Columns& columns, const Scene& scene) {
+  std::vector<float> row(columns.list().size());
+  columns.observe(scene.view(), row.data());
   return row;
 }
 
 TEST(Columns, EachIsFromMinusOneToOneInAnySituation) {
-  const auto columns = columns_of(built_in_features());
+  const Columns columns(built_in_features());
   std::mt19937 random(3);
   for (int i = 0; i < 5000; ++i) {
     const std::vector<float> row = observed(columns, random_scene(random));
     for (std::size_t c = 0; c < row.size(); ++c) {
-      ASSERT_GE(row[c], -1) << name_of(columns[c]);
-      ASSERT_LE(row[c], 1) << name_of(columns[c]);
+      ASSERT_GE(row[c], -1) << name_of(columns.list()[c]);
+      ASSERT_LE(row[c], 1) << name_of(columns.list()[c]);
     }
   }
 }
 
 TEST(Columns, HaveDifferentNamesAndAFormula) {
-  const auto columns = columns_of(built_in_features());
-  EXPECT_LE(columns.size(), static_cast<std::size_t>(kMaxColumns));
+  const Columns columns(built_in_features());
+  EXPECT_LE(columns.count(), kMaxColumns);
   std::set<std::string> names;
-  for (const Column& column : columns) {
+  for (const Column& column : columns.list()) {
     EXPECT_TRUE(names.insert(name_of(column)).second) << name_of(column);
     EXPECT_NE(formula_of(column), "");
   }
@@ -47,7 +47,7 @@ TEST(Columns, HaveDifferentNamesAndAFormula) {
 TEST(Columns, FormulasAreThoseOfTheHeader) {
   const auto formula = [](const char* feature) {
     const Feature features[] = {find_feature(feature)};
-    return formula_of(columns_of(features).front());
+    return formula_of(Columns(features).list().front());
   };
   EXPECT_EQ(formula("ball_distance"), "value / (1 m + |value|)");
   EXPECT_EQ(formula("ball_age"), "value / (5 s + |value|)");
@@ -60,7 +60,7 @@ TEST(Columns, AreTheFormulaOfTheFeaturesValue) {
   const Feature features[] = {find_feature("ball_ahead"), find_feature("ball_bearing"), find_feature("player")};
   Scene scene;
   scene.see_ball({3, -3});
-  const std::vector<float> row = observed(columns_of(features), scene);
+  const std::vector<float> row = observed(Columns(features), scene);
   EXPECT_NEAR(row[0], 0.75f, 1e-5f);
   EXPECT_NEAR(row[1], -0.25f * kPi / 3.15f, 1e-5f);
   EXPECT_NEAR(row[2], 1.f / 6, 1e-6f);
@@ -68,8 +68,8 @@ TEST(Columns, AreTheFormulaOfTheFeaturesValue) {
 
 TEST(Columns, AWordIsOneInOneColumnOnly) {
   const Feature features[] = {find_feature("role")};
-  const auto columns = columns_of(features);
-  ASSERT_EQ(columns.size(), 4u);
+  const Columns columns(features);
+  ASSERT_EQ(columns.count(), 4);
   Scene scene;
   scene.mind.role = Role::defender;
   EXPECT_EQ(observed(columns, scene), (std::vector<float>{0, 0, 0, 1}));
@@ -77,7 +77,7 @@ TEST(Columns, AWordIsOneInOneColumnOnly) {
 
 TEST(Columns, AnUnknownValueIsZeroAndSaysSo) {
   const Feature features[] = {find_feature("opponent_distance")};
-  const auto columns = columns_of(features);
+  const Columns columns(features);
   Scene scene;
   EXPECT_EQ(observed(columns, scene), (std::vector<float>{0, 0}));
   scene.see_opponent(3, {1, 0});
@@ -85,7 +85,7 @@ TEST(Columns, AnUnknownValueIsZeroAndSaysSo) {
 }
 
 TEST(Columns, LateralOnesChangeTheirSignInTheMirror) {
-  const auto columns = columns_of(built_in_features());
+  const Columns columns(built_in_features());
   std::mt19937 random(5);
   for (int i = 0; i < 1000; ++i) {
     const Scene scene = random_scene(random);
@@ -93,8 +93,8 @@ TEST(Columns, LateralOnesChangeTheirSignInTheMirror) {
     image.beliefs = mirrored(scene.beliefs), image.mind = mirrored(scene.mind);
     const auto row = observed(columns, scene), other = observed(columns, image);
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const bool turns = info_of(columns[c].feature).lateral && columns[c].form != Form::known;
-      ASSERT_EQ(turns ? -row[c] : row[c], other[c]) << name_of(columns[c]) << " in situation " << i;
+      const bool turns = info_of(columns.list()[c].feature).lateral && columns.list()[c].form != Form::known;
+      ASSERT_EQ(turns ? -row[c] : row[c], other[c]) << name_of(columns.list()[c]) << " in situation " << i;
     }
   }
 }

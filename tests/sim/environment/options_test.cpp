@@ -28,7 +28,7 @@ TEST(Options, AreThoseOfTheHeaderWhenNotGiven) {
   EXPECT_EQ(options->drill.game.rules, "spl2012");
   EXPECT_EQ(options->drill.game.pace, Pace::thinned);
   EXPECT_EQ(options->frame.tree.menu.size(), 12u);
-  EXPECT_EQ(options->frame.columns.size(), agent::columns_of(agent::built_in_features()).size());
+  EXPECT_EQ(options->frame.columns.count(), agent::Columns(agent::built_in_features()).count());
 }
 
 TEST(Options, OfTheGameReplaceThoseOfTheDrill) {
@@ -53,7 +53,7 @@ TEST(Options, AFrameMayBeAFile) {
   const auto options = read_options(R"({"frame": ")" + path + R"("})");
   ASSERT_TRUE(options) << options.error();
   EXPECT_EQ(options->frame.tree.menu.size(), 2u);
-  EXPECT_EQ(options->frame.columns.size(), 1u);
+  EXPECT_EQ(options->frame.columns.count(), 1);
 }
 
 TEST(Options, AnErrorIsASentenceWithThePlace) {

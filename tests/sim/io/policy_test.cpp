@@ -47,7 +47,7 @@ TEST(Policy, WithoutInputsItSeesAllBuiltInFeatures) {
   json.erase("inputs"), json.erase("net");
   const auto frame = read_frame(json, "frame");
   ASSERT_TRUE(frame) << frame.error();
-  EXPECT_EQ(frame->columns.size(), agent::columns_of(agent::built_in_features()).size());
+  EXPECT_EQ(frame->columns.count(), agent::Columns(agent::built_in_features()).count());
   EXPECT_EQ(frame->tree.menu.size(), 2u);
 }
 
