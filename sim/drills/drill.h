@@ -20,8 +20,8 @@
 // With "ball_known": false nobody has seen the ball. Success and failure are conditions (sim/check/condition.h) that come
 // true: without "always", "never" and "not". At "seconds" the attempt ends as "time_over" says.
 //
-// The score of an attempt is 1 for success, plus the points of "score" whenever the fact comes true, plus those of
-// "progress" for each unit by which the quantity has grown before the last tick. Required are "start", "seconds" and "success"; the other
+// The score of an attempt has three parts. Success gives 1. A fact of "score" gives its points each time it comes true. A
+// quantity of "progress" gives its points for each unit by which it grows before the last tick. Required are "start", "seconds" and "success"; the other
 // defaults are those above, without failure, score and progress.
 #pragma once
 

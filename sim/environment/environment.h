@@ -58,7 +58,7 @@ class Environment {
  private:
   class Puppets;
 
-  /// What an episode needs beside its state.
+  /// The episode of a game, without its state.
   struct Episode {
     std::uint64_t first = 0;   // seed of the reset
     std::uint32_t number = 0;  // of the episode since the reset

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Learns a policy for a drill by an evolution strategy, with numpy alone, and writes it as a behaviour.
 
-    scripts/build release foresight_env foresight-sim
-    sim/environment/examples/train.py --drill empty_goal --seconds 100 striker.json
+    scripts/build release foresight-sim foresight_env
+    ./sim/environment/examples/train.py --drill empty_goal --seconds 100 striker.json
     foresight-sim drills run empty_goal striker.json --seed 1000000
     foresight-sim drills run empty_goal kick_now --seed 1000000
 

@@ -29,7 +29,7 @@ def bytes_of(rows):
 
 
 class Parallel(unittest.TestCase):
-    """What PettingZoo's parallel_api_test asks of an environment."""
+    """The demands of PettingZoo's parallel_api_test."""
 
     def play(self, env, seed):
         """Plays an episode with the first agent's actions by the seed; returns all that it showed."""
