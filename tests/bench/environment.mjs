@@ -29,15 +29,12 @@ export async function environment({ games: million = 10 }) {
   for (let round = 0; round < kRounds; ++round)
     for (const [i, [, choice]] of kChoices.entries()) runs[i].push(await play(choice, Math.ceil(steps / 2)));
   for (const [i, [name, , bar]] of kChoices.entries())
-    report.figure(
-      name,
-      median(runs[i].map((run) => run.per_second)),
-      "agent steps/s",
-      bar,
-    );
+    report.figure(name, median(runs[i].map((run) => run.per_second)), "agent steps/s", bar);
   for (const actions of ["menu", "motion"]) {
     const { agent_steps: played, outside } = await play({ ticks: 1, actions }, steps);
-    report.figure(`random policy, ${actions}: steps of agents without an invalid state`, played, "", { atLeast: million * 1e6 });
+    report.figure(`random policy, ${actions}: steps of agents without an invalid state`, played, "", {
+      atLeast: million * 1e6,
+    });
     report.figure(`random policy, ${actions}: observations beyond -1 .. 1`, outside, "", { atMost: 0 });
   }
   return report.finish();
