@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "robot/core/json_library.h"
-#include "sim/io/json.h"
+#include "sim/environment/description.h"
 #include "sim/match/snapshot.h"
 #include "sim/match/step.h"
 #include "sim/referee/referee.h"
@@ -17,10 +16,6 @@ using robot::Result;
 namespace {
 
 constexpr int kTogether = 32;  // games that are played together: their states fit the second cache
-
-std::string name_of_robot(int robot) {
-  return (side_of(robot) == Side::home ? "home_" : "away_") + std::to_string(player_of(robot));
-}
 
 /// Returns whether the robot takes part in the game, now or when its penalty is over.
 bool takes_part(const State& state, int robot) {
@@ -117,52 +112,8 @@ Result<void> Environment::prepare() {
   std::vector<std::uint64_t> seeds(states_.size());
   std::iota(seeds.begin(), seeds.end(), 0);
   reset(seeds);
-  describe();
+  about_ = description_of(options_, agents_);
   return {};
-}
-
-void Environment::describe() {
-  const agent::Frame& frame = options_.frame;
-  io::Json agents = io::Json::array(), columns = io::Json::array(), actions = io::Json::array();
-  for (const int robot : agents_) agents.push_back(name_of_robot(robot));
-  for (const agent::Column& column : frame.columns.list()) {
-    const agent::FeatureInfo& info = agent::info_of(column.feature);
-    columns.push_back({{"name", agent::name_of(column)},
-                       {"feature", info.name},
-                       {"unit", info.unit},
-                       {"formula", agent::formula_of(column)},
-                       {"about", info.about}});
-  }
-  if (options_.actions == Kind::menu)
-    for (const std::uint16_t entry : frame.tree.menu) {
-      const bool is_leaf = entry & agent::kLeafBit;
-      const std::size_t index = entry & ~std::size_t{agent::kLeafBit};
-      actions.push_back(is_leaf ? frame.tree.leaf_words[index].path : frame.tree.node_words[index].path);
-    }
-  if (options_.actions == Kind::skills)
-    for (int i = 0; i < agent::skill_count(); ++i) {
-      const agent::SkillInfo& skill = agent::info_of(static_cast<agent::Skill>(i));
-      io::Json parameters = io::Json::array();
-      for (int p = 0; p < skill.count; ++p) {
-        const agent::ParameterInfo& info = skill.parameters[p];
-        parameters.push_back({{"name", info.name},
-                              {"unit", info.range.unit},
-                              {"least", io::short_number(info.range.least)},
-                              {"most", io::short_number(info.range.most)},
-                              {"whole", info.range.names != nullptr}});
-      }
-      actions.push_back({{"skill", skill.name}, {"parameters", parameters}});
-    }
-  if (options_.actions == Kind::motion)
-    for (const char* name : kMotionNames) actions.push_back(name);
-  about_ = io::Json{{"drill", options_.drill.name},
-                    {"kind", kKinds[static_cast<int>(options_.actions)]},
-                    {"tick_seconds", 1.0 / kTicksPerSecond},
-                    {"ticks", options_.ticks},
-                    {"agents", agents},
-                    {"columns", columns},
-                    {"actions", actions}}
-               .dump();
 }
 
 void Environment::begin(int game, std::uint64_t seed) {
@@ -180,15 +131,27 @@ void Environment::reset(std::span<const std::uint64_t> seeds, std::span<const st
   for (int game = 0; game < games(); ++game) {
     const auto index = static_cast<std::size_t>(game);
     if (!which.empty() && which[index] == 0) continue;
-    begin(game, seeds[index]);
     episodes_[index] = {.first = seeds[index]};
-    const std::size_t row = index * agents_.size();
-    std::fill_n(arrays_.rewards.data() + row, agents_.size(), 0.f);
-    std::fill_n(arrays_.terminated.data() + row, agents_.size(), std::uint8_t{0});
-    std::fill_n(arrays_.truncated.data() + row, agents_.size(), std::uint8_t{0});
-    arrays_.succeeded[index] = 0;
-    observe(game);
+    show_start(game, seeds[index]);
   }
+}
+
+/// Begins the episode with that seed, and fills the game's rows.
+void Environment::show_start(int game, std::uint64_t seed) {
+  const auto index = static_cast<std::size_t>(game), row = index * agents_.size();
+  begin(game, seed);
+  std::fill_n(arrays_.rewards.data() + row, agents_.size(), 0.f);
+  std::fill_n(arrays_.terminated.data() + row, agents_.size(), std::uint8_t{0});
+  std::fill_n(arrays_.truncated.data() + row, agents_.size(), std::uint8_t{0});
+  arrays_.succeeded[index] = 0;
+  observe(game);
+}
+
+/// Begins the next episode of a game that has ended.
+void Environment::restart(int game) {
+  Episode& episode = episodes_[static_cast<std::size_t>(game)];
+  const auto words = draw({episode.first}, kNobody, Draw::episode, ++episode.number);
+  show_start(game, std::uint64_t{words[0]} << 32 | words[1]);
 }
 
 Result<void> Environment::check_actions() const {
@@ -198,7 +161,7 @@ Result<void> Environment::check_actions() const {
     if (episodes_[row / agents_.size()].ended) continue;
     const std::string problem = problem_of(options_.actions, options_.frame.tree, arrays_.actions.data() + row * wide);
     if (!problem.empty())
-      return Error{"environment: the action of " + name_of_robot(agents_[row % agents_.size()]) + " in game " +
+      return Error{"environment: the action of " + name_of_agent(agents_[row % agents_.size()]) + " in game " +
                    std::to_string(row / agents_.size()) + " " + problem};
   }
   return {};
@@ -214,41 +177,30 @@ Result<void> Environment::step() {
 /// Plays one step of some games that follow one another.
 void Environment::play(int first, int count) {
   State* running[kTogether];
-  int number[kTogether], left = 0;
+  int number[kTogether], played[kTogether], left = 0;
   for (int game = first; game < first + count; ++game) {
-    Episode& episode = episodes_[static_cast<std::size_t>(game)];
-    if (!episode.ended) {
-      running[left] = &states_[static_cast<std::size_t>(game)], number[left++] = game;
-    } else if (options_.restarts) {
-      const auto words = draw({episode.first}, kNobody, Draw::episode, ++episode.number);
-      const Episode kept = episode;
-      const std::uint64_t seed[] = {std::uint64_t{words[0]} << 32 | words[1]};
-      begin(game, seed[0]);
-      episode = {.first = kept.first, .number = kept.number};
-      const std::size_t row = static_cast<std::size_t>(game) * agents_.size();
-      std::fill_n(arrays_.terminated.data() + row, agents_.size(), std::uint8_t{0});
-      std::fill_n(arrays_.truncated.data() + row, agents_.size(), std::uint8_t{0});
-      arrays_.succeeded[static_cast<std::size_t>(game)] = 0;
-      observe(game);
-    }
+    const auto index = static_cast<std::size_t>(game);
+    if (!episodes_[index].ended)
+      running[left] = &states_[index], number[left++] = game;
+    else if (options_.restarts)
+      restart(game);
   }
-  const int played = left;
-  int all[kTogether];
-  std::copy_n(number, played, all);
+  const int* const end = std::copy_n(number, left, played);
 
   referee::Events events[kTogether];
   for (int tick = 0; tick < options_.ticks && left > 0; ++tick) {
-    const auto count = static_cast<std::size_t>(left);
-    step_many(game_.params, std::span(running, count), std::span(events, count));
+    const auto games_left = static_cast<std::size_t>(left);
+    step_many(game_.params, std::span(running, games_left), std::span(events, games_left));
+    // a game that has ended leaves the others
     int still = 0;
     for (int i = 0; i < left; ++i) {
       judge(number[i], events[i]);
-      if (episodes_[static_cast<std::size_t>(number[i])].ended) continue;
-      running[still] = running[i], number[still++] = number[i];
+      if (!episodes_[static_cast<std::size_t>(number[i])].ended)
+        running[still] = running[i], number[still++] = number[i];
     }
     left = still;
   }
-  for (int i = 0; i < played; ++i) observe(all[i]);
+  std::for_each(static_cast<const int*>(played), end, [&](int game) { observe(game); });
 }
 
 /// Adds the points of the last tick, and notes the end of the episode.

@@ -67,8 +67,9 @@ class Environment {
 
   Environment(Options options, io::PreparedGame game);
   robot::Result<void> prepare();
-  void describe();
   void begin(int game, std::uint64_t seed);
+  void show_start(int game, std::uint64_t seed);
+  void restart(int game);
   robot::Result<void> check_actions() const;
   void play(int first, int count);
   void judge(int game, const referee::Events& events);

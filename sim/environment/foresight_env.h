@@ -31,7 +31,7 @@ extern "C" {
 typedef struct foresight_env foresight_env;
 
 /* The sizes of the arrays. */
-typedef struct foresight_env_shape {
+typedef struct {
   int32_t games;   /* side by side */
   int32_t agents;  /* of one game */
   int32_t columns; /* of an observation */
@@ -39,7 +39,7 @@ typedef struct foresight_env_shape {
 } foresight_env_shape;
 
 /* The arrays. `rows` is games * agents. */
-typedef struct foresight_env_arrays {
+typedef struct {
   const float* observations; /* rows x columns, each in [-1, 1] */
   float* actions;            /* rows x width: the caller writes them before each step */
   const float* rewards;      /* rows */

@@ -18,6 +18,13 @@ constexpr const char* kNear = R"({
   "net": { "layers": [ { "weights": [[-1], [1]], "bias": [0.5, -0.5] } ] }
 })";
 
+/// Returns a row of zeros as JSON.
+std::string numbers(int count) {
+  std::string row = "[0";
+  for (int i = 1; i < count; ++i) row += ",0";
+  return row + "]";
+}
+
 PolicyBehaviour near_policy() {
   auto policy = io::parse_policy(kNear, "strategy 'near'");
   EXPECT_TRUE(policy) << policy.error();
@@ -54,6 +61,25 @@ TEST(Policy, ARuleOfTheMenuMayHaveConditions) {
   EXPECT_STREQ(trace.role, "keeper");
   EXPECT_STREQ(trace.strategy, "near");
   EXPECT_STREQ(trace.skill, "keep_goal");
+}
+
+TEST(Policy, WhoseOnlyRuleIsAWholeTreeDecidesAsThatTree) {
+  const auto policy = io::parse_policy(
+      R"({"name": "baseline", "based_on": "baseline", "menu": [[
+        {"if": "not ball_known", "do": "search_ball"}, {"if": "role is keeper", "use": "keeper"},
+        {"if": "role is chaser", "use": "chaser"}, {"if": "role is defender", "use": "defender"},
+        {"use": "supporter"}]], "net": {"layers": [{"weights": [)" +
+          numbers(Columns(built_in_features()).count()) + R"(], "bias": [0]}]}})",
+      "strategy");
+  ASSERT_TRUE(policy) << policy.error();
+  const TreeBehaviour tree(shipped("baseline"));
+  std::mt19937 random(6);
+  for (int i = 0; i < 3000; ++i) {
+    Scene scene = random_scene(random), same = scene;
+    ASSERT_TRUE(scene.decide(*policy) == same.decide(tree)) << i;
+    ASSERT_EQ(scene.mind.role, same.mind.role);
+    ASSERT_EQ(scene.mind.kick_direction, same.mind.kick_direction);
+  }
 }
 
 TEST(Policy, OutsidePlayTheRobotWaitsLikeThatOfATree) {
