@@ -27,7 +27,7 @@ bool takes_part(const State& state, int robot) {
 /// The behaviour of a side whose robots obey actions, except those that are no agents.
 class Environment::Puppets final : public agent::Behaviour {
  public:
-  Puppets(const Environment& games, Side side, const agent::Behaviour& strategy)
+  Puppets(Environment& games, Side side, const agent::Behaviour& strategy)
       : games_(games), side_(side), strategy_(strategy) {}
 
   const std::string& name() const override { return strategy_.name(); }
@@ -39,21 +39,23 @@ class Environment::Puppets final : public agent::Behaviour {
     if (!games_.is_agent(robot)) return strategy_.decide(surroundings, game, beliefs, now, mind, trace);
     const agent::Tree& tree = games_.options_.frame.tree;
     const agent::View view(surroundings, tree.settings, game, beliefs, now, mind);
-    if (!agent::plays(game)) return agent::wait(view, mind, trace);
-    agent::prepare(view, mind);
-    return obey(games_.options_.actions, tree, action_of(robot, mind), view, mind);
+    const std::size_t row = row_of(robot, mind);
+    const bool plays = agent::plays(game);
+    if (plays) agent::prepare(view, mind);
+    games_.options_.frame.columns.observe(view, games_.observation(row));
+    if (!plays) return agent::wait(view, mind, trace);
+    return obey(games_.options_.actions, tree, games_.action(row), view, mind);
   }
 
  private:
   /// Finds the game by the address of its memory: no other argument of a decision differs between games.
-  const float* action_of(int robot, const agent::Mind& mind) const {
+  std::size_t row_of(int robot, const agent::Mind& mind) const {
     const auto* const first = reinterpret_cast<const char*>(games_.states_.data());
     const auto game = static_cast<std::size_t>(reinterpret_cast<const char*>(&mind) - first) / sizeof(State);
-    const auto row = game * games_.agents_.size() + static_cast<std::size_t>(games_.agent_of_[robot]);
-    return games_.arrays_.actions.data() + row * static_cast<std::size_t>(games_.width());
+    return game * games_.agents_.size() + static_cast<std::size_t>(games_.agent_of_[robot]);
   }
 
-  const Environment& games_;
+  Environment& games_;
   const Side side_;
   const agent::Behaviour& strategy_;
 };
@@ -145,6 +147,7 @@ void Environment::show_start(int game, std::uint64_t seed) {
   std::fill_n(arrays_.truncated.data() + row, agents_.size(), std::uint8_t{0});
   arrays_.succeeded[index] = 0;
   observe(game);
+  note_active(game);
 }
 
 /// Begins the next episode of a game that has ended.
@@ -200,7 +203,7 @@ void Environment::play(int first, int count) {
     }
     left = still;
   }
-  std::for_each(static_cast<const int*>(played), end, [&](int game) { observe(game); });
+  std::for_each(static_cast<const int*>(played), end, [&](int game) { note_active(game); });
 }
 
 /// Adds the points of the last tick, and notes the end of the episode.
@@ -219,20 +222,29 @@ void Environment::judge(int game, const referee::Events& events) {
   episodes_[index].ended = ended;
 }
 
-/// Writes the observations of the game's agents.
+/// Writes the observations of agents that have had no turn yet.
 void Environment::observe(int game) {
   const auto index = static_cast<std::size_t>(game);
   const State& state = states_[index];
   const agent::Frame& frame = options_.frame;
   for (std::size_t agent = 0; agent < agents_.size(); ++agent) {
-    const std::size_t row = index * agents_.size() + agent;
     const int robot = agents_[agent];
     const agent::Surroundings around{&game_.params.rules, &models_of(game_.params, robot).motion};
     const agent::Game told = referee::game_for(game_.params.rules, state.world, state.book, robot);
     const Robot& self = state.robots[robot];
     const agent::View view(around, frame.tree.settings, told, self.beliefs, state.world.tick, self.mind);
-    frame.columns.observe(view, arrays_.observations.data() + row * static_cast<std::size_t>(columns()));
-    arrays_.active[row] =
+    frame.columns.observe(view, observation(index * agents_.size() + agent));
+  }
+}
+
+/// Notes which agents are in play.
+void Environment::note_active(int game) {
+  const auto index = static_cast<std::size_t>(game);
+  const State& state = states_[index];
+  for (std::size_t agent = 0; agent < agents_.size(); ++agent) {
+    const int robot = agents_[agent];
+    const agent::Game told = referee::game_for(game_.params.rules, state.world, state.book, robot);
+    arrays_.active[index * agents_.size() + agent] =
         agent::plays(told) && state.world.bodies[robot].doing != Body::Doing::removed && !episodes_[index].ended;
   }
 }

@@ -17,7 +17,8 @@
 
 namespace sim::environment {
 
-/// The arrays that a learner reads and writes. Rows are by game, and in a game by agent.
+/// The arrays that a learner reads and writes. Rows are by game, and in a game by agent. An observation is that of the
+/// robot's newest turn (sim/match/pace.h), or of the start before its first one.
 struct Arrays {
   std::vector<float> observations;       // rows x columns
   std::vector<float> actions;            // rows x width
@@ -74,6 +75,13 @@ class Environment {
   void play(int first, int count);
   void judge(int game, const referee::Events& events);
   void observe(int game);
+  void note_active(int game);
+  float* observation(std::size_t row) {
+    return arrays_.observations.data() + row * static_cast<std::size_t>(columns());
+  }
+  const float* action(std::size_t row) const {
+    return arrays_.actions.data() + row * static_cast<std::size_t>(width());
+  }
   bool is_agent(int robot) const { return agent_of_[robot] >= 0; }
 
   Options options_;

@@ -40,7 +40,7 @@ typedef struct {
 
 /* The arrays. `rows` is games * agents. */
 typedef struct {
-  const float* observations; /* rows x columns, each in [-1, 1] */
+  const float* observations; /* rows x columns, each in [-1, 1]: of the robot's newest turn, or of the start */
   float* actions;            /* rows x width: the caller writes them before each step */
   const float* rewards;      /* rows */
   const uint8_t* terminated; /* rows: the episode has ended by its own rules */

@@ -134,6 +134,35 @@ TEST(Environment, ThreeStepsOfATickAreOneOfThreeTicks) {
   }
 }
 
+TEST(Environment, AnObservationIsThatOfTheRobotsNewestTurn) {
+  const Games games =
+      opened(R"({"games": 2, "drill": "kick_off", "ticks": 1, "control": "both", "actions": "motion"})");
+  games->reset(seeds_from(1, 2));
+  const auto columns = static_cast<std::size_t>(games->columns());
+  std::vector<float> before = games->arrays().observations;
+  int changes = 0, turns = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Tick now = games->state(1).world.tick;
+    bool has_turn[8];
+    for (int agent = 0; agent < 8; ++agent) {
+      const int robot = robot_of(agent < 4 ? Side::home : Side::away, agent % 4 + 1);
+      has_turn[agent] = games->state(1).schedule.turn[robot] <= now;
+    }
+    play(*games, 1, Kind::motion);
+    const std::vector<float>& after = games->arrays().observations;
+    for (std::size_t agent = 0; agent < 8; ++agent) {
+      const auto row = static_cast<std::ptrdiff_t>((8 + agent) * columns);
+      const bool changed =
+          !std::equal(before.begin() + row, before.begin() + row + games->columns(), after.begin() + row);
+      ASSERT_TRUE(has_turn[agent] || !changed);
+      changes += changed, turns += has_turn[agent];
+    }
+    before = after;
+  }
+  EXPECT_GT(changes, 500);
+  EXPECT_GE(turns, changes);
+}
+
 TEST(Environment, AnEndedGameBeginsAnewInTheNextStepWithoutReward) {
   const Games games = opened(R"({"drill": "empty_goal", "seconds": 2, "games": 2, "ticks": 30})");
   games->reset(seeds_from(5, 2));
