@@ -76,8 +76,21 @@ void prepare(const View& view, Mind& mind) {
   if (mind.leaf == kNoLeaf || since >= kSettle) assign_role(view, mind);
 }
 
-std::uint16_t leaf_of(const Tree& tree, const View& view) {
-  return walk_down(tree, tree.root, view, [](auto&&...) {});
+std::uint16_t leaf_of(const Tree& tree, const View& view) { return leaf_from(tree, tree.root, view); }
+
+std::uint16_t leaf_from(const Tree& tree, std::uint16_t entry, const View& view) {
+  return walk_down(tree, entry, view, [](auto&&...) {});
+}
+
+motion::Command play_leaf(const Tree& tree, std::uint16_t number, const View& view, Mind& mind, Trace* trace) {
+  remember_leaf(mind, number, view.now);
+  const Leaf& leaf = tree.leaves[number];
+  if (trace) explain_leaf(leaf, tree.leaf_words[number], mind, *trace);
+  const SkillInfo& skill = info_of(leaf.skill);
+  if (!skill.searches) mind.search_since = kNever;
+  motion::Command command = skill.run(leaf.arguments, view, mind);
+  mind_manners(view, command);
+  return command;
 }
 
 motion::Command wait(const View& view, Mind& mind, Trace* trace) {
@@ -115,16 +128,8 @@ motion::Command TreeBehaviour::decide(const Surroundings& surroundings, const Ga
 
   prepare(view, mind);
   const std::uint16_t entry = entries_[view.ball_known][static_cast<int>(mind.role)];
-  const std::uint16_t number =
-      trace ? walk_down_explaining(tree_, view, *trace) : walk_down(tree_, entry, view, [](auto&&...) {});
-  remember_leaf(mind, number, now);
-  const Leaf& leaf = tree_.leaves[number];
-  if (trace) explain_leaf(leaf, tree_.leaf_words[number], mind, *trace);
-  const SkillInfo& skill = info_of(leaf.skill);
-  if (!skill.searches) mind.search_since = kNever;
-  motion::Command command = skill.run(leaf.arguments, view, mind);
-  mind_manners(view, command);
-  return command;
+  const std::uint16_t number = trace ? walk_down_explaining(tree_, view, *trace) : leaf_from(tree_, entry, view);
+  return play_leaf(tree_, number, view, mind, trace);
 }
 
 }  // namespace sim::agent

@@ -19,6 +19,7 @@ enum class Comparison : std::uint8_t { less = 1, greater = 2, unequal = 3, equal
 inline constexpr std::uint16_t kLeafBit = 0x8000;
 inline constexpr int kMaxNodes = 4096;
 inline constexpr int kMaxLeaves = 4096;
+inline constexpr int kMaxMenu = 64;
 
 struct Node {
   Feature feature;
@@ -50,6 +51,8 @@ struct Tree {
   std::vector<Words> node_words;
   std::vector<Words> leaf_words;
   std::uint16_t root = kLeafBit;
+  // the first nodes, or leaves, of the rules between which a policy chooses (sim/agent/policy.h); empty in a decision tree
+  std::vector<std::uint16_t> menu;
 };
 
 /// Returns the comparison that passes all known values that `comparison` does not.
@@ -86,6 +89,12 @@ void prepare(const View& view, Mind& mind);
 
 /// Returns the number of the leaf to which the tree goes from its root. `view` is prepared.
 std::uint16_t leaf_of(const Tree& tree, const View& view);
+
+/// Returns the number of the leaf to which the tree goes from `entry`, a node or a leaf. `view` is prepared.
+std::uint16_t leaf_from(const Tree& tree, std::uint16_t entry, const View& view);
+
+/// Remembers the leaf and runs its skill. `view` is prepared. `trace` receives the leaf, or is nullptr.
+motion::Command play_leaf(const Tree& tree, std::uint16_t number, const View& view, Mind& mind, Trace* trace);
 
 /// Decides outside play: the robot stands, or goes to its place in the phase ready. `trace` may be nullptr.
 motion::Command wait(const View& view, Mind& mind, Trace* trace);

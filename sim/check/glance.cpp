@@ -10,6 +10,7 @@ namespace {
 using Kind = referee::Event::Kind;
 
 constexpr Tick kSameTouch = ticks(0.5f);
+constexpr Tick kFreshSight = ticks(1.f);
 
 template <Side Whose>
 bool touches(const Glance& glance) {
@@ -89,6 +90,22 @@ float ball_distance(const Glance& glance) {
   return nearest;
 }
 
+/// Returns the least distance [m] between the ball and the place where a robot of the side saw it in the last second.
+template <Side Whose>
+float ball_error(const Glance& glance) {
+  const World& world = glance.now->world;
+  float least = std::numeric_limits<float>::quiet_NaN();
+  for_each_robot(world.players, [&](int robot) {
+    const Body& body = world.bodies[robot];
+    const agent::Ball& seen = glance.now->robots[robot].beliefs.ball;
+    const bool is_fresh = seen.seen != kNever && world.tick - seen.seen <= kFreshSight;
+    if (side_of(robot) != Whose || body.doing == Body::Doing::removed || !is_fresh) return;
+    const float error = distance(turned_back(world.ball.position - body.position, body.facing), seen.position);
+    if (!(least <= error)) least = error;
+  });
+  return least;
+}
+
 constexpr Happening kHappenings[] = {
     {"our touch", "one of our robots touches the ball anew", touches<Side::home>},
     {"their touch", "one of their robots touches the ball anew", touches<Side::away>},
@@ -114,6 +131,9 @@ constexpr Quantity kQuantities[] = {
      [](const Glance& glance) { return length(glance.now->world.ball.velocity); }},
     {"our_ball_distance", "m", 0, 30, "distance of our nearest robot from the ball", ball_distance<Side::home>},
     {"their_ball_distance", "m", 0, 30, "distance of their nearest robot from the ball", ball_distance<Side::away>},
+    {"our_ball_error", "m", 0, 30, "least distance of the ball from where one of ours saw it in the last second",
+     ball_error<Side::home>},
+    {"their_ball_error", "m", 0, 30, "likewise of their robots", ball_error<Side::away>},
     {"our_goals", "goals", 0, 255, "our goals since the start", goals<Side::home>},
     {"their_goals", "goals", 0, 255, "their goals since the start", goals<Side::away>},
     {"our_players", "robots", 0, 7, "our robots on the field", players<Side::home>},

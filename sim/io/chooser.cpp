@@ -5,6 +5,7 @@
 #include "sim/foresight/chooser.h"
 #include "sim/io/models.h"
 #include "sim/io/playbook.h"
+#include "sim/io/policy.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
 #include "sim/io/strategy.h"
@@ -58,15 +59,34 @@ bool is_embedded(std::string_view kind, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Returns the text of the playbook of that name, or an empty text when there is none.
-Result<std::string> find_chooser(const std::string& name, const std::string& called) {
-  if (is_embedded("playbooks", name)) return find_source("playbooks", "playbook", name)->text;
-  if (!is_path(name)) return std::string();
+/// The form of a description of a behaviour.
+enum class Form { tree, chooser, policy };
+
+struct Found {
+  Form form = Form::tree;
+  std::string text;  // empty for a tree
+};
+
+/// Finds the description that is no decision tree.
+Result<Found> find_form(const std::string& name, const std::string& called) {
+  if (is_embedded("playbooks", name)) return Found{Form::chooser, find_source("playbooks", "playbook", name)->text};
+  if (!is_path(name)) return Found{};
   const Result<Source> source = find_source("strategies", "strategy", name);
   if (!source) return source.failure();
   const Result<Json> json = parse_object(source->text, called);
   if (!json) return json.failure();
-  return json->contains("choose") ? source->text : std::string();
+  if (json->contains("choose")) return Found{Form::chooser, source->text};
+  if (json->contains("menu")) return Found{Form::policy, source->text};
+  return Found{};
+}
+
+/// Returns an Error if the tree names a kick that a robot of the side lacks.
+Result<void> check_team(const agent::Tree& tree, const Matchup& game, Side side) {
+  if (tree.settings.kicks.count == 0) return {};
+  Team team;
+  const std::string& models = game.models[static_cast<std::size_t>(side)];
+  if (auto loaded = load_team_models(models, kMaxPlayers, team); !loaded) return loaded.failure();
+  return check_kicks(tree, team);
 }
 
 }  // namespace
@@ -77,9 +97,16 @@ Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string
   const std::string called = "strategy '" + name + "'";
   const Result<Variation> variation = parse_variation(name, called);
   if (!variation) return variation.failure();
-  const Result<std::string> chooser = find_chooser(variation->name, called);
-  if (!chooser) return chooser.failure();
-  if (chooser->empty()) {
+  const Result<Found> found = find_form(variation->name, called);
+  if (!found) return found.failure();
+  if (found->form == Form::policy) {
+    if (name != variation->name) return robot::Error{called + ": a learned policy takes no changes behind its name"};
+    auto policy = parse_policy(found->text, called);
+    if (!policy) return policy.failure();
+    if (auto checked = check_team(policy->frame().tree, game, side); !checked) return checked.failure();
+    return Behaviour(std::make_shared<agent::PolicyBehaviour>(*std::move(policy)));
+  }
+  if (found->form == Form::tree) {
     if (!is_path(variation->name) && !is_embedded("strategies", variation->name)) {
       std::vector<std::string_view> known = names_of("strategies");
       for (const std::string_view playbook : names_of("playbooks")) known.push_back(playbook);
@@ -87,16 +114,11 @@ Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string
     }
     auto tree = load_strategy(name);
     if (!tree) return tree.failure();
-    if ((*tree)->tree().settings.kicks.count > 0) {
-      Team team;
-      const std::string& models = game.models[static_cast<std::size_t>(side)];
-      if (auto loaded = load_team_models(models, kMaxPlayers, team); !loaded) return loaded.failure();
-      if (auto checked = check_kicks((*tree)->tree(), team); !checked) return checked.failure();
-    }
+    if (auto checked = check_team((*tree)->tree(), game, side); !checked) return checked.failure();
     return Behaviour(std::move(*tree));
   }
 
-  Result<Description> description = parse(*chooser, called, variation->changes);
+  Result<Description> description = parse(found->text, called, variation->changes);
   if (!description) return description.failure();
   const auto own = static_cast<std::size_t>(side), others = 1 - own;
   auto playbook = prepare_playbook(

@@ -21,8 +21,8 @@
 
 namespace sim::io {
 
-/// Loads the behaviour of `side` in that game: a decision tree, or a team that chooses between several. `name` is
-/// embedded or a path; changes follow behind commas: "foresight,horizon=30".
+/// Loads the behaviour of `side` in that game: a decision tree, a team that chooses between several, or a learned
+/// policy (sim/io/policy.h). `name` is embedded or a path; changes follow behind commas: "foresight,horizon=30".
 robot::Result<std::shared_ptr<const agent::Behaviour>> load_behaviour(const std::string& name, const Matchup& game,
                                                                       Side side);
 

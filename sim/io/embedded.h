@@ -7,7 +7,7 @@
 namespace sim::io {
 
 struct Embedded {
-  std::string_view kind;  // the folder: "games", "models", "outlooks", "rules", "strategies"
+  std::string_view kind;  // the folder: "drills", "games", "models", …
   std::string_view name;  // of the file, without ".json"
   std::string_view text;
 };

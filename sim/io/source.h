@@ -17,7 +17,7 @@ struct Source {
   std::string called;  // "models 'match'"
 };
 
-/// Returns the names of the embedded files of that kind ("games", "models", "outlooks", "rules", "strategies"),
+/// Returns the names of the embedded files of that kind ("drills", "games", "models", …),
 /// ascending.
 std::vector<std::string_view> names_of(std::string_view kind);
 

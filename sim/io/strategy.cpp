@@ -57,12 +57,16 @@ Json merged(Json base, const Json& json) {
   return base;
 }
 
+/// The part of a description that decides.
+enum class Part { tree, menu };
+
 /// The description with its bases (`whole`), and the part in its own file (`own`).
-Result<agent::Tree> compiled(const Json& whole, const Json& own, const std::string& called) {
+Result<agent::Tree> compiled(const Json& whole, const Json& own, const std::string& called, Part part = Part::tree) {
   Reader reader(called);
   agent::Tree tree;
+  const char* const decides = part == Part::tree ? "tree" : "menu";
   reader.refuse_unknown(
-      whole, "", {"name", "about", "based_on", "parameters", "roles", "habits", "formation", "tree", "subtrees"});
+      own, "", {"name", "about", "based_on", "parameters", "roles", "habits", "formation", decides, "subtrees"});
   tree.name = text_at(reader, own, "name");
   if (tree.name.empty() || tree.name.size() > kLongestName)
     reader.refuse("name must have 1 .. " + std::to_string(kLongestName) + " bytes");
@@ -79,8 +83,8 @@ Result<agent::Tree> compiled(const Json& whole, const Json& own, const std::stri
     read_places(reader, whole["formation"], "theirs", tree.settings.formation.theirs);
   }
   if (!reader.good()) return reader.error();
-  if (const std::string problem = compile_tree(whole, own, tree); !problem.empty())
-    return Error{called + ": " + problem};
+  const auto compile = part == Part::tree ? &compile_tree : &compile_menu;
+  if (const std::string problem = compile(whole, own, tree); !problem.empty()) return Error{called + ": " + problem};
   return tree;
 }
 
@@ -118,6 +122,12 @@ Result<agent::Tree> parse_upon(std::string_view text, const std::string& called,
 
 Result<agent::Tree> parse_strategy(std::string_view text, const std::string& called) {
   return parse_upon(text, called, Json::object());
+}
+
+Result<agent::Tree> parse_menu(const Json& strategy, const std::string& called) {
+  const Result<Json> whole = whole_of(strategy, called, 0);
+  if (!whole) return whole.failure();
+  return compiled(*whole, strategy, called, Part::menu);
 }
 
 Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& name) {

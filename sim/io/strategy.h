@@ -33,6 +33,7 @@
 
 #include "robot/core/result.h"
 #include "sim/agent/tree.h"
+#include "sim/io/json.h"
 #include "sim/match/params.h"
 
 namespace sim::io {
@@ -40,6 +41,10 @@ namespace sim::io {
 /// Parses the tree in `text`. `called` opens the sentence of an Error, which names the place:
 /// "strategy 'mine': tree[2].if: no feature "bal_age"; did you mean 'ball_age'?"
 robot::Result<agent::Tree> parse_strategy(std::string_view text, const std::string& called);
+
+/// Parses a strategy with a "menu", a list of rules, instead of a "tree". Settings, parameters and subtrees may come from
+/// "based_on". Fills Tree.menu.
+robot::Result<agent::Tree> parse_menu(const Json& strategy, const std::string& called);
 
 /// Loads an embedded strategy by name, or a file by path; changed parameters follow behind commas: "baseline,near=0.3".
 robot::Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& name);

@@ -61,6 +61,19 @@ class Compiler {
     return problem_;
   }
 
+  std::string compile_menu(const Json& strategy, const Json& own) {
+    const auto menu = strategy.find("menu");
+    if (menu == strategy.end()) return "menu is missing";
+    if (!menu->is_array() || menu->empty() || menu->size() > agent::kMaxMenu)
+      return "menu must be a list of 1 .. " + std::to_string(agent::kMaxMenu) + " rules, got " + shown(*menu);
+    for (std::size_t i = 0; i < menu->size() && problem_.empty(); ++i) {
+      Next nothing;
+      tree_.menu.push_back(rules((*menu)[i], {"menu[" + std::to_string(i) + "]", tree_.name, 0}, nothing));
+    }
+    if (problem_.empty()) refuse_unused(own);
+    return problem_;
+  }
+
  private:
   void refuse(const Place& place, const std::string& what) {
     if (problem_.empty()) problem_ = place.json + ": " + what;
@@ -246,6 +259,10 @@ class Compiler {
 
 std::string compile_tree(const Json& strategy, const Json& own, agent::Tree& tree) {
   return Compiler(strategy, tree).compile(strategy, own);
+}
+
+std::string compile_menu(const Json& strategy, const Json& own, agent::Tree& tree) {
+  return Compiler(strategy, tree).compile_menu(strategy, own);
 }
 
 }  // namespace sim::io

@@ -13,4 +13,7 @@ namespace sim::io {
 /// strategy's own file, must be used.
 std::string compile_tree(const Json& strategy, const Json& own, agent::Tree& tree);
 
+/// The same for the rules of "menu", each of which always leads to a leaf. Fills Tree.menu instead of the root.
+std::string compile_menu(const Json& strategy, const Json& own, agent::Tree& tree);
+
 }  // namespace sim::io

@@ -50,6 +50,8 @@ enum class Draw : std::uint32_t {
   lost_pose = 22,
   duel = 23,
   ball_size = 24,
+  drill = 25,
+  episode = 26,
 };
 
 /// Returns 128 random bits. `robot` is the robot's index in the state, or kNobody when the draw belongs to no robot.

@@ -4,6 +4,7 @@ import { compare } from "./compare.mjs";
 import { debuggerTimes } from "./debugger.mjs";
 import { deploy } from "./deploy.mjs";
 import { door } from "./door.mjs";
+import { environment } from "./environment.mjs";
 import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
 import { faults } from "./faults.mjs";
@@ -38,6 +39,7 @@ const benches = {
   "match-days": matchDays,
   door,
   sim,
+  environment,
   equivalence,
   soccer,
   realism,

@@ -46,6 +46,10 @@ function wordsOf(text) {
     .filter((words) => words.length && words[0]);
 }
 
+/** Returns the names of the sub-commands in a help text. */
+const subcommandsIn = (text) =>
+  [...(/^Sub-?commands:\n([\s\S]*)/im.exec(text)?.[1] ?? "").matchAll(/^ {2}([a-z][\w-]*)/gm)].map(([, name]) => name);
+
 /** Finds the text that says what a command takes, and whether it has sub-commands. `help(program, subcommand)` is given. */
 export function wrongCommands(root, help) {
   const sentences = [];
@@ -61,16 +65,17 @@ export function wrongCommands(root, help) {
         continue;
       }
       // a program with a list of sub-commands wants one of them first
-      const names = [...(/^Sub-?commands:\n([\s\S]*)/im.exec(general)?.[1] ?? "").matchAll(/^ {2}([a-z][\w-]*)/gm)].map(
-        ([, name]) => name,
-      );
+      const names = subcommandsIn(general);
       let text = general;
       if (names.length && words.length > 1 && !words[1].startsWith("-")) {
         if (!names.includes(words[1])) {
           say(`${program} has no command '${words[1]}'; there are ${names.join(", ")}`);
           continue;
         }
-        text += help(program, words[1]) ?? "";
+        const own = help(program, words[1]) ?? "";
+        text += own;
+        // a sub-command may have its own
+        if (subcommandsIn(own).includes(words[2])) text += help(program, `${words[1]} ${words[2]}`) ?? "";
       }
       const end = words.indexOf("--");
       // scripts/fresh-root runs another command, whose options are its own
@@ -91,7 +96,7 @@ export function commands(root) {
     const key = `${program} ${subcommand ?? ""}`;
     if (!texts.has(key)) {
       const file = program.includes("/") ? join(root, program) : join(bin, program);
-      const words = subcommand ? [subcommand, "--help"] : ["--help"];
+      const words = [...(subcommand?.split(" ") ?? []), "--help"];
       const { stdout, stderr } = existsSync(file) ? spawnSync(file, words, { encoding: "utf8", timeout: 60_000 }) : {};
       texts.set(key, stdout === undefined ? undefined : `${stdout}\n${stderr}`);
     }

@@ -5,6 +5,8 @@ import { repositoryOf } from "./repository.mjs";
 
 const texts = {
   "foresight-lab": "Usage\nSubcommands:\n  play   plays\n  what-if   asks\n",
+  "foresight-lab what-if": "Subcommands:\n  ask   asks\n",
+  "foresight-lab what-if ask": "  --trials UINT\n",
   "foresight-lab play": "  --loop   again\n  --port UINT\n",
   "scripts/test": "scripts/test [--yes]\n",
   "scripts/fresh-root": "scripts/fresh-root [--keep] COMMAND\n",
@@ -39,4 +41,10 @@ test("each fault is one sentence", (t) => {
 
 test("the options of a command that another one runs are its own", (t) => {
   assert.deepEqual(wrong(t, "scripts/fresh-root --keep scripts/test --yes"), []);
+});
+
+test("a sub-command of a sub-command has its own options", (t) => {
+  assert.deepEqual(wrong(t, "foresight-lab what-if ask --trials 3\nforesight-lab what-if ask --seed 3"), [
+    "a/README.md:3: foresight-lab what-if has no option --seed",
+  ]);
 });

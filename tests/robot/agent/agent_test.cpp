@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "sim/io/matchup.h"
 #include "sim/match/step.h"
 #include "tests/support/eventually.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robot::agent {
 namespace {
@@ -102,6 +104,26 @@ TEST(Agent, StandsWithAnOldPose) {
   bridge::Recollection recollection = playing.recollection();
   recollection.now_ns += 5 * kSecond;
   EXPECT_EQ(agent_of().decide(recollection).problem, "the robot does not know where it is: its pose is 5 s old");
+}
+
+TEST(Agent, PlaysALearnedPolicyByTheNameOfItsFile) {
+  const tests::TemporaryFolder folder;
+  const std::string path = (folder.path() / "learned.json").string();
+  std::ofstream(path)
+      << R"({"name": "learned", "based_on": "baseline", "menu": [{"do": "look_round"}, {"use": "chaser"}],
+    "inputs": ["ball_known"], "net": {"layers": [{"weights": [[0], [1]], "bias": [0.5, 0]}]}})";
+  Playing playing;
+  Agent agent = agent_of({.behaviour = path, .strategies = {}});
+  int looks = 0, others = 0;
+  for (int tick = 0; tick < 30 * 90; ++tick) {
+    playing.tick();
+    const Agent::Decision decision = agent.decide(playing.recollection());
+    if (!decision.trace) continue;
+    EXPECT_EQ(decision.trace->strategy(), "learned");
+    (decision.trace->skill() == "look_round" ? looks : others) += 1;
+  }
+  EXPECT_GT(others, 0);
+  EXPECT_GT(looks + others, 30 * 45);
 }
 
 TEST(Agent, NamesABehaviourThatDoesNotExist) {

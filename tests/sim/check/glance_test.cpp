@@ -40,6 +40,28 @@ TEST(Glance, AllWordsDifferAndAreDescribed) {
   }
 }
 
+TEST(Glance, TheBallErrorIsTheLeastOfTheRobotsThatSawItInTheLastSecond) {
+  Course course;
+  const auto error = [&] {
+    float seen = 0;
+    course.tick([](State&, referee::Events&) {}, [&](const Glance& glance) { seen = value("our_ball_error", glance); });
+    return seen;
+  };
+  EXPECT_TRUE(std::isnan(error()));
+  // player 2 stands at (0, 3), faces +y, and sees the ball 0.4 m nearer than it is
+  State& now = course.now();
+  const int robot = robot_of(Side::home, 2);
+  now.world.bodies[robot].facing = {0, 1};
+  agent::Ball& ball = now.robots[robot].beliefs.ball;
+  ball.position = {-2.6f, 0};
+  ball.seen = now.world.tick;
+  EXPECT_NEAR(error(), 0.4f, 1e-5f);
+  now.robots[robot_of(Side::home, 3)].beliefs.ball = {.position = {5, 5}, .velocity = {}, .seen = now.world.tick};
+  EXPECT_NEAR(error(), 0.4f, 1e-5f);
+  course.wait(1.1f, [](const Glance&) {});
+  EXPECT_TRUE(std::isnan(error()));
+}
+
 TEST(Glance, ATouchIsNewIfItIsThatOfAnotherRobotOrHalfASecondLater) {
   Course course;
   int ours = 0, theirs = 0;
