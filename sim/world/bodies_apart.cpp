@@ -18,13 +18,12 @@ constexpr int kMostPasses = 2000;
 // [1/m] Shifts are summed as whole numbers of 1 / kUnits, so that the sum does not depend on the order.
 constexpr float kUnits = 0x1p24f;
 
-/// The robots on the field as circles, which the passes shift.
+/// The robots as circles, which the passes shift. A removed robot is far from everything.
 struct Circles {
   int count = 0;
   float x[kMaxRobots];
   float y[kMaxRobots];
   float radius[kMaxRobots];
-  std::uint8_t robot[kMaxRobots];
 
   Vec2 middle(int i) const { return {x[i], y[i]}; }
 };
@@ -46,6 +45,11 @@ struct Neighbours {
   std::uint8_t first[kMaxRobots * (kMaxRobots - 1) / 2];
   std::uint8_t second[kMaxRobots * (kMaxRobots - 1) / 2];
   std::uint8_t at_thing[kMaxRobots];
+
+  void add(int i, int j) {
+    first[pairs] = static_cast<std::uint8_t>(i);
+    second[pairs++] = static_cast<std::uint8_t>(j);
+  }
 };
 
 /// The sum of all shifts of one pass.
@@ -60,14 +64,17 @@ struct Shifts {
   }
 };
 
+float radius_of(const ContactModel& contact, const Body& body) {
+  return lies(body) ? contact.lying_radius : contact.robot_radius;
+}
+
 Circles circles_of(const ContactModel& contact, const Crowd& crowd, const World& world) {
   Circles circles;
   circles.count = crowd.count;
   for (int i = 0; i < crowd.count; ++i) {
     circles.x[i] = crowd.x[i];
     circles.y[i] = crowd.y[i];
-    circles.radius[i] = lies(world.bodies[crowd.robot[i]]) ? contact.lying_radius : contact.robot_radius;
-    circles.robot[i] = crowd.robot[i];
+    circles.radius[i] = radius_of(contact, world.bodies[crowd.robot(i)]);
   }
   return circles;
 }
@@ -86,38 +93,63 @@ Limits limits_of(const Things& things, float largest, float margin) {
           squared(largest + things.official_radius + margin)};
 }
 
-/// Reports whether any robot may touch anything. It is fast: it tests a block at a time.
-bool anything_near(const Things& things, const Crowd& crowd, float largest) {
-  const Limits limits = limits_of(things, largest, kTouch);
-  std::uint32_t hits[Crowd::kBlock] = {};
-  const auto count_near = [&](int block, auto&& is_near) {
-    for (int lane = 0; lane < Crowd::kBlock; ++lane) hits[lane] += is_near(crowd.middle(block + lane)) ? 1u : 0u;
+/// The robots that may touch something, by their index in the crowd.
+struct Hits {
+  bool any = false;
+  std::uint32_t robots[Crowd::kRoom];  // number of robots up to the end of its block that may touch it, and itself
+  std::uint32_t things[Crowd::kRoom];  // 1: a thing may touch it
+};
+
+/// Finds the robots that may touch anything. It is fast: it tests a block at a time.
+Hits hits_of(const Things& things, const Crowd& crowd, const Limits& limits) {
+  Hits hits;
+  std::uint32_t sum[Crowd::kBlock] = {};
+  const bool official = is_there(things.official);
+  const auto each_lane = [](auto&& see) {
+    for (int lane = 0; lane < Crowd::kBlock; ++lane) see(lane);
   };
   for (int block = 0; block < crowd.count; block += Crowd::kBlock) {
-    count_near(block, [&](Vec2 middle) { return squared_length(things.from_post(middle)) < limits.post; });
+    const auto is_near = [&](int lane, Vec2 place, float limit) {
+      return squared_length(crowd.middle(block + lane) - place) < limit ? 1u : 0u;
+    };
+    std::uint32_t robots[Crowd::kBlock] = {}, at_things[Crowd::kBlock];
+    each_lane([&](int lane) {
+      at_things[lane] = squared_length(things.from_post(crowd.middle(block + lane))) < limits.post ? 1u : 0u;
+    });
+    if (official)
+      each_lane([&](int lane) { at_things[lane] |= is_near(lane, things.official.position, limits.official); });
     const int end = std::min(block + Crowd::kBlock, crowd.count);
     for (int i = 0; i < end; ++i)
-      count_near(block,
-                 [&, own = crowd.middle(i)](Vec2 middle) { return squared_length(middle - own) < limits.robots; });
+      each_lane([&, own = crowd.middle(i)](int lane) { robots[lane] += is_near(lane, own, limits.robots); });
+    each_lane([&](int lane) {
+      hits.robots[block + lane] = robots[lane];
+      hits.things[block + lane] = at_things[lane];
+      sum[lane] += robots[lane] + at_things[lane];
+    });
   }
-  if (is_there(things.official))
-    for (int block = 0; block < crowd.count; block += Crowd::kBlock)
-      count_near(block,
-                 [&](Vec2 middle) { return squared_length(middle - things.official.position) < limits.official; });
   // each robot counts once as near itself
-  return hits[0] + hits[1] + hits[2] + hits[3] > static_cast<std::uint32_t>(crowd.count);
+  hits.any = sum[0] + sum[1] + sum[2] + sum[3] > static_cast<std::uint32_t>(crowd.count);
+  return hits;
 }
 
+/// Finds the pairs and the robots near things among the hits.
+void find_neighbours(const Crowd& crowd, const Hits& hits, const Limits& limits, Neighbours& near) {
+  for (int j = 0; j < crowd.count; ++j) {
+    if (hits.things[j] != 0) near.at_thing[near.at_things++] = static_cast<std::uint8_t>(j);
+    if (hits.robots[j] < 2) continue;
+    for (int i = 0; i < j; ++i)
+      if (squared_length(crowd.middle(j) - crowd.middle(i)) < limits.robots) near.add(i, j);
+  }
+}
+
+/// Returns those whose gap may be less than kMargin.
 Neighbours neighbours_of(const Things& things, const Circles& circles, float largest) {
   const Limits limits = limits_of(things, largest, kMargin);
   Neighbours near;
   for (int i = 0; i < circles.count; ++i) {
     const Vec2 middle = circles.middle(i);
-    for (int j = i + 1; j < circles.count; ++j) {
-      if (squared_length(circles.middle(j) - middle) >= limits.robots) continue;
-      near.first[near.pairs] = static_cast<std::uint8_t>(i);
-      near.second[near.pairs++] = static_cast<std::uint8_t>(j);
-    }
+    for (int j = i + 1; j < circles.count; ++j)
+      if (squared_length(circles.middle(j) - middle) < limits.robots) near.add(i, j);
     if (squared_length(things.from_post(middle)) < limits.post ||
         squared_length(middle - things.official.position) < limits.official)
       near.at_thing[near.at_things++] = static_cast<std::uint8_t>(i);
@@ -132,28 +164,52 @@ bool runs_into(const Body& body, const Body& other) {
   return towards > 0 && towards * towards > 0.25f * squared_length(body.velocity) * squared_length(to_other);
 }
 
-void count_touches(const Circles& circles, const Neighbours& near, World& world) {
-  bool touching[kMaxRobots] = {}, pushing[kMaxRobots] = {};
+/// Counts on in the bodies that touch another one or run into it, and sets the counts of all others to 0.
+void count_touches(const ContactModel& contact, const Crowd& crowd, const Neighbours& near, World& world) {
+  std::uint32_t touching = 0, pushing = 0;  // one bit per robot of the crowd
   for (int pair = 0; pair < near.pairs; ++pair) {
     const int i = near.first[pair], j = near.second[pair];
-    const float reach = circles.radius[i] + circles.radius[j] + kTouch;
-    if (squared_length(circles.middle(j) - circles.middle(i)) >= reach * reach) continue;
-    const Body &first = world.bodies[circles.robot[i]], &second = world.bodies[circles.robot[j]];
-    touching[i] = touching[j] = true;
-    if (runs_into(first, second)) pushing[i] = true;
-    if (runs_into(second, first)) pushing[j] = true;
+    const Body &first = world.bodies[crowd.robot(i)], &second = world.bodies[crowd.robot(j)];
+    const float reach = radius_of(contact, first) + radius_of(contact, second) + kTouch;
+    if (squared_length(crowd.middle(j) - crowd.middle(i)) >= reach * reach) continue;
+    touching |= 1u << i | 1u << j;
+    if (runs_into(first, second)) pushing |= 1u << i;
+    if (runs_into(second, first)) pushing |= 1u << j;
   }
 
   // `pushing` counts in units of several ticks
   const bool counts = world.tick % kPushingUnit == 0;
-  for (int i = 0; i < circles.count; ++i) {
-    Body& body = world.bodies[circles.robot[i]];
-    body.touching = touching[i] ? static_cast<std::uint8_t>(std::min(body.touching + 1, 255)) : std::uint8_t{0};
-    if (!pushing[i])
-      body.pushing = 0;
-    else if (counts)
-      body.pushing = static_cast<std::uint8_t>(std::min(body.pushing + 1, 255));
+  const auto one_more = [](std::uint8_t count) { return static_cast<std::uint8_t>(std::min(count + 1, 255)); };
+  std::uint32_t bit = 1;
+  for_each_robot(world.players, [&](int robot) {
+    Body& body = world.bodies[robot];
+    const bool touches = (touching & bit) != 0, pushes = (pushing & bit) != 0;
+    bit <<= 1;
+    if (!touches) {
+      body.touching = body.pushing = 0;
+      return;
+    }
+    body.touching = one_more(body.touching);
+    body.pushing = !pushes ? std::uint8_t{0} : counts ? one_more(body.pushing) : body.pushing;
+  });
+}
+
+/// Reports whether any of these overlap by more than kTolerance.
+bool overlap(const ContactModel& contact, const Things& things, const Crowd& crowd, const Neighbours& near,
+             const World& world) {
+  const auto radius = [&](int i) { return radius_of(contact, world.bodies[crowd.robot(i)]); };
+  const auto is_deep = [](Vec2 apart, float reach) { return reach - length(apart) > kTolerance; };
+  for (int pair = 0; pair < near.pairs; ++pair) {
+    const int i = near.first[pair], j = near.second[pair];
+    if (is_deep(crowd.middle(j) - crowd.middle(i), radius(i) + radius(j))) return true;
   }
+  for (int index = 0; index < near.at_things; ++index) {
+    const int i = near.at_thing[index];
+    const Vec2 middle = crowd.middle(i);
+    if (is_deep(things.from_post(middle), radius(i) + things.post_radius)) return true;
+    if (is_deep(middle - things.official.position, radius(i) + things.official_radius)) return true;
+  }
+  return false;
 }
 
 /// Returns the shift that is missing until `apart`, the vector to a circle's middle, is `reach` long. `otherwise` is
@@ -187,12 +243,11 @@ Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours&
   return shifts;
 }
 
-/// Parts overlapping robots, when the fast test found some near each other. Not inline, because it is rare.
+/// Parts robots of which some overlap. Not inline, because it is rare.
 [[gnu::noinline]] void part(const ContactModel& contact, const Things& things, float largest, Crowd& crowd,
                             World& world) {
   Circles circles = circles_of(contact, crowd, world);
   Neighbours near = neighbours_of(things, circles, largest);
-  count_touches(circles, near, world);
 
   // shift all robots together, pass after pass, until no overlap is left
   float moved = 0;
@@ -213,7 +268,8 @@ Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours&
   for (int i = 0; i < circles.count; ++i) {
     crowd.x[i] = circles.x[i];
     crowd.y[i] = circles.y[i];
-    world.bodies[circles.robot[i]].position = circles.middle(i);
+    Body& body = world.bodies[crowd.robot(i)];
+    if (body.doing != Body::Doing::removed) body.position = circles.middle(i);
   }
 }
 
@@ -223,13 +279,15 @@ void keep_bodies_apart(const field::Field& field, const ContactModel& contact, C
   const Things things{field::post_of(field, 0), field.post_radius, world.official, contact.official_radius};
   const float largest =
       crowd.somebody_lies ? std::max(contact.lying_radius, contact.robot_radius) : contact.robot_radius;
-  const bool counted = std::exchange(world.crowded, anything_near(things, crowd, largest));
-  if (world.crowded) return part(contact, things, largest, crowd, world);
-  if (!counted) return;
-  for (int i = 0; i < crowd.count; ++i) {
-    Body& body = world.bodies[crowd.robot[i]];
-    body.touching = body.pushing = 0;
-  }
+  const Limits limits = limits_of(things, largest, kTouch);
+  const Hits hits = hits_of(things, crowd, limits);
+  const bool counted = std::exchange(world.crowded, hits.any);
+  if (!world.crowded && !counted) return;
+
+  Neighbours near;
+  if (world.crowded) find_neighbours(crowd, hits, limits, near);
+  count_touches(contact, crowd, near, world);
+  if (overlap(contact, things, crowd, near, world)) part(contact, things, largest, crowd, world);
 }
 
 }  // namespace sim

@@ -84,7 +84,7 @@ Near near_to(const field::Field& field, const BallModel& ball, const ContactMode
   const float farthest = widest_reach(ball, contact);
   if (crowd.anybody_within(way.middle, farthest + way.half))
     for (int i = 0; i < crowd.count; ++i)
-      if (way.within(crowd.middle(i), farthest)) near.list[near.count++] = crowd.robot[i];
+      if (way.within(crowd.middle(i), farthest)) near.list[near.count++] = static_cast<std::uint8_t>(crowd.robot(i));
   if (way.within(nearest_post(field, way.middle), field.post_radius + ball.radius)) near.list[near.count++] = kNobody;
   return near;
 }

@@ -7,18 +7,19 @@
 
 namespace sim {
 
-/// The positions of all robots on the field.
+/// The positions of all robots, home 1.., then away 1... A removed robot is far from everything.
 struct Crowd {
   static constexpr int kBlock = 4;  // robots tested together, in vector registers
   static constexpr int kRoom = (kMaxRobots + kBlock - 1) / kBlock * kBlock;
 
-  int count = 0;
+  int count = 0;  // both sides
   bool somebody_lies = false;
   float x[kRoom];  // [m, field]; the last block is filled up with places far from everything
   float y[kRoom];
-  std::uint8_t robot[kRoom];  // index in the world
 
   Vec2 middle(int i) const { return {x[i], y[i]}; }
+  /// Returns the index in the world.
+  int robot(int i) const { return 2 * i < count ? i : i - count / 2 + kMaxPlayers; }
 
   /// Reports whether the middle of any robot is nearer to `place` than `reach` [m].
   bool anybody_within(Vec2 place, float reach) const {
@@ -28,28 +29,26 @@ struct Crowd {
         hits[lane] |= squared_length(middle(block + lane) - place) < reach * reach ? 1u : 0u;
     return (hits[0] | hits[1] | hits[2] | hits[3]) != 0;
   }
+
+  /// Places a robot far from everything, also from other robots with such a place.
+  void take_away(int i) { x[i] = 1e6f * static_cast<float>(i + 2), y[i] = 0; }
 };
 
-/// Returns a different bit for each value of Doing.
-constexpr std::uint32_t bit_of(Body::Doing doing) { return 1u << static_cast<unsigned>(doing); }
-inline constexpr std::uint32_t kLying = bit_of(Body::Doing::fallen) | bit_of(Body::Doing::getting_up);
-
-/// Returns the robots of `world` that are on the field.
+/// Returns the robots of `world`.
 inline Crowd crowd_of(const World& world) {
   Crowd crowd;
-  std::uint32_t count = 0, doing = 0;
   for_each_robot(world.players, [&](int robot) {
-    // the next robot overwrites a removed one
     const Body& body = world.bodies[robot];
-    crowd.x[count] = body.position.x;
-    crowd.y[count] = body.position.y;
-    crowd.robot[count] = static_cast<std::uint8_t>(robot);
-    count += body.doing != Body::Doing::removed ? 1u : 0u;
-    doing |= bit_of(body.doing);
+    const int i = crowd.count++;
+    crowd.x[i] = body.position.x;
+    crowd.y[i] = body.position.y;
+    if (body.doing < Body::Doing::fallen) return;
+    if (lies(body))
+      crowd.somebody_lies = true;
+    else
+      crowd.take_away(i);
   });
-  crowd.count = static_cast<int>(count);
-  for (int i = crowd.count; i % Crowd::kBlock != 0; ++i) crowd.x[i] = crowd.y[i] = 1e9f;
-  crowd.somebody_lies = (doing & kLying) != 0;
+  for (int i = crowd.count; i % Crowd::kBlock != 0; ++i) crowd.take_away(i);
   return crowd;
 }
 

@@ -13,7 +13,12 @@ using namespace sim::arena;
 void part(World& world) {
   Crowd crowd = crowd_of(world);
   keep_bodies_apart(kField, kContact, crowd, world);
-  for (int i = 0; i < crowd.count; ++i) EXPECT_EQ(crowd.middle(i), world.bodies[crowd.robot[i]].position);
+  for (int i = 0; i < crowd.count; ++i) {
+    const Body& body = world.bodies[crowd.robot(i)];
+    if (body.doing != Body::Doing::removed) {
+      EXPECT_EQ(crowd.middle(i), body.position);
+    }
+  }
 }
 
 float radius_of(const Body& body) { return lies(body) ? kContact.lying_radius : kContact.robot_radius; }
@@ -135,6 +140,58 @@ TEST(BodiesApart, MirroredRobotsPartTheMirroredWay) {
       EXPECT_EQ(other.bodies[robot].pushing, world.bodies[robot].pushing);
     }
   });
+}
+
+constexpr float kTouch = 0.01f;         // [m] gap below which bodies touch
+constexpr float kUndecided = 0.00001f;  // [m] from that gap, rounding decides
+
+/// Returns the gap between a body and another one on the field [m].
+float gap_between(const World& world, int robot, int other) {
+  const Body &first = world.bodies[robot], &second = world.bodies[other];
+  if (robot == other || first.doing == Body::Doing::removed || second.doing == Body::Doing::removed) return 1e6f;
+  return distance(first.position, second.position) - radius_of(first) - radius_of(second);
+}
+
+TEST(BodiesApart, CountsTheTouchesThatATestOfAllPairsFinds) {
+  int touching = 0, free = 0;
+  const auto check = [&](World world, std::mt19937&) {
+    const World before = world;
+    part(world);
+    for_each_robot(world.players, [&](int robot) {
+      float gap = 1e6f;
+      for_each_robot(world.players, [&](int other) { gap = std::min(gap, gap_between(before, robot, other)); });
+      if (std::abs(gap - kTouch) < kUndecided) return;
+      EXPECT_EQ(world.bodies[robot].touching, gap < kTouch ? 1 : 0) << robot;
+      EXPECT_TRUE(world.crowded || gap >= kTouch);
+      ++(gap < kTouch ? touching : free);
+    });
+  };
+  for_many_heaps(check);
+  std::mt19937 random(3);
+  for (int i = 0; i < 300; ++i) check(crowd(random, {0, 0}, 6), random);
+  EXPECT_GT(touching, 1000);
+  EXPECT_GT(free, 1000);
+}
+
+TEST(BodiesApart, ARobotAtAPostOrAtTheRefereeCrowdsTheWorldAndAFreeOneDoesNot) {
+  const Vec2 post = field::post_of(kField, 2);
+  const auto crowds = [](Vec2 robot, Vec2 official) {
+    World world = empty();
+    stand(world, 12, robot);
+    world.official.position = official;
+    part(world);
+    EXPECT_EQ(world.bodies[12].touching, 0);
+    return world.crowded;
+  };
+  const float at_post = kContact.robot_radius + kField.post_radius + kTouch;
+  const float at_official = kContact.robot_radius + kContact.official_radius + kTouch;
+  const Vec2 nowhere = Official{}.position;
+  for (float angle = -3; angle < 3; angle += 0.1f) {
+    EXPECT_TRUE(crowds(post + (at_post - 0.001f) * direction(angle), nowhere));
+    EXPECT_FALSE(crowds(post + (at_post + 0.001f) * direction(angle), nowhere));
+    EXPECT_TRUE(crowds({1, 1}, Vec2{1, 1} + (at_official - 0.001f) * direction(angle)));
+    EXPECT_FALSE(crowds({1, 1}, Vec2{1, 1} + (at_official + 0.001f) * direction(angle)));
+  }
 }
 
 TEST(BodiesApart, ARemovedRobotTouchesNothing) {
