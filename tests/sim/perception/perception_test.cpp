@@ -120,7 +120,8 @@ TEST(Perception, DoesNotDependOnTheOrderOfRobots) {
   Cognition cognition;
   for (int i = 0; i < 300; ++i) {
     first.perceive();
-    perceive(second.params(), second.world, 0, 1, others, cognition);
+    const Look other{&second.world, &others, &cognition, 0, 1};
+    perceive(second.params(), {&other, 1});
     second.perceive();
     ASSERT_EQ(first.beliefs.ball.position, second.beliefs.ball.position);
     ASSERT_EQ(first.beliefs.pose.pose, second.beliefs.pose.pose);
