@@ -36,7 +36,7 @@ std::vector<Game> games_of(const Params& params, int count) {
   referee::Events events;
   for (int i = 0; i < count; ++i)
     games.push_back(
-        {begin(params, {.seed = static_cast<std::uint64_t>(100 + i)}, events), static_cast<Tick>(300 + 97 * (i % 7))});
+        {begin(params, {.seed = static_cast<std::uint64_t>(100 + i)}, events), static_cast<Tick>(120 + 37 * (i % 7))});
   return games;
 }
 

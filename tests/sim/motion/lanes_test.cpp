@@ -17,7 +17,11 @@
 namespace sim::motion {
 namespace {
 
+#ifdef NDEBUG
 constexpr int kBlocks = 1'000'000 / kLanes;
+#else
+constexpr int kBlocks = 50'000 / kLanes;  // without optimisation
+#endif
 
 /// Wild inputs: mostly moderate numbers, and every special kind of number.
 struct Wild {

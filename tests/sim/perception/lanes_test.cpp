@@ -13,6 +13,12 @@
 namespace sim::perception {
 namespace {
 
+#ifdef NDEBUG
+constexpr int kRounds = 5000;
+#else
+constexpr int kRounds = 100;  // without optimisation
+#endif
+
 /// Mostly moderate numbers, and every special kind of number.
 float wild(std::mt19937& random) {
   using Limits = std::numeric_limits<float>;
@@ -95,7 +101,7 @@ void look_together(const Effects& effects, std::vector<Scene>& scenes, const std
 
 TEST(PerceptionLanes, EachLookHasTheBitsOfALookAlone) {
   std::mt19937 random(1);
-  for (int round = 0; round < 1500; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     Effects effects = all_effects();
     // each effect is off in some rounds
     if (random() % 8 == 0) effects.ball_noise = false;

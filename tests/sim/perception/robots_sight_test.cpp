@@ -76,7 +76,7 @@ TEST(RobotsSight, IsPlacedByTheBelievedPose) {
 }
 
 TEST(RobotsSight, IsDetectedByItsDistanceAndWithNoise) {
-  Scene scene;
+  Scene scene(2);
   scene.effects = {};
   scene.effects.limited_view = scene.effects.missed_ball = scene.effects.ball_noise = true;
   scene.enter();
