@@ -72,31 +72,31 @@ inline bool only_narrow_lanes = false;
 
 namespace detail {
 
-template <auto kKernel, class... Args>
+template <auto Kernel, class... Args>
 [[gnu::flatten, gnu::noinline]] void run_narrow(Args&... args) {
-  kKernel(args...);
+  Kernel(args...);
 }
 
 #if defined(__x86_64__)
-template <auto kKernel, class... Args>
+template <auto Kernel, class... Args>
 [[gnu::target("avx2"), gnu::flatten, gnu::noinline]] void run_wide(Args&... args) {
-  kKernel(args...);
+  Kernel(args...);
 }
 inline bool has_wide_lanes() { return !only_narrow_lanes && __builtin_cpu_supports("avx2") != 0; }
 #else
-template <auto kKernel, class... Args>
+template <auto Kernel, class... Args>
 void run_wide(Args&... args) {
-  run_narrow<kKernel>(args...);
+  run_narrow<Kernel>(args...);
 }
 inline bool has_wide_lanes() { return false; }
 #endif
 
 }  // namespace detail
 
-/// Calls kKernel(args...), compiled for the widest vectors of this processor. The result is the same for each width.
-template <auto kKernel, class... Args>
+/// Calls Kernel(args...), compiled for the widest vectors of this processor. The result is the same for each width.
+template <auto Kernel, class... Args>
 void in_lanes(Args&... args) {
-  detail::has_wide_lanes() ? detail::run_wide<kKernel>(args...) : detail::run_narrow<kKernel>(args...);
+  detail::has_wide_lanes() ? detail::run_wide<Kernel>(args...) : detail::run_narrow<Kernel>(args...);
 }
 
 /// Calls each(items) for one part of `all` after the other, with at most kLanes items each.

@@ -128,7 +128,7 @@ void believe(const PerceptionParams& params, std::span<Percipient> all) {
     return;
   }
   const FilterConstants constants{params.model, params.model.camera.height - params.ball.radius};
-  FilterBlock block;
+  FilterBlock block{};
   in_blocks(all, [&](std::span<Percipient> some) {
     for (std::size_t i = 0; i < some.size(); ++i) gather_percept(some[i], static_cast<int>(i), block);
     in_lanes<believe_percepts>(block, constants);

@@ -234,7 +234,7 @@ void measure(const PerceptionParams& params, const SightConstants& constants, st
     }
     return;
   }
-  PerceptBlock block;
+  PerceptBlock block{};
   in_blocks(all, [&](std::span<const Detected> some) {
     for (std::size_t i = 0; i < some.size(); ++i) gather_detected(params, some[i], static_cast<int>(i), block);
     in_lanes<measure_balls>(block, constants);
@@ -267,6 +267,7 @@ void gather_sight(const PerceptionParams& params, const Look& look, int i, Sight
   block.draws.set(i, world.key, look.robot, world.tick);
   const Tick images = look.beliefs->ball.visible ? look.steps : 1;
   block.steps[i] = has_eyes(body) ? static_cast<std::int32_t>(images) : 0;
+  block.most = std::max(block.most, block.steps[i]);
 }
 
 /// Returns occasionally a false ball at a random place in view.
@@ -294,11 +295,11 @@ void look_for_ball(const PerceptionParams& params, std::span<const Look> looks, 
   const SightConstants constants{params.model, params.effects, params.model.camera.height - params.ball.radius};
   std::array<Detected, kMostLooks> detected;
   std::size_t count = 0;
-  SightBlock block;
+  SightBlock block{};
   auto percept = percepts.begin();
   in_blocks(looks, [&](std::span<const Look> some) {
+    block.most = 0;
     for (std::size_t i = 0; i < some.size(); ++i) gather_sight(params, some[i], static_cast<int>(i), block);
-    block.most = *std::max_element(block.steps.lane, block.steps.lane + some.size());
     in_lanes<detect_balls>(block, constants);
     for (std::size_t i = 0; i < some.size(); ++i, ++percept) {
       *percept = no_percept();

@@ -212,7 +212,7 @@ void lose_pose(const Localisation& model, const World& world, int robot, agent::
 void look_round(const PerceptionParams& params, std::span<const Look> looks) {
   const MarksConstants constants{params.model.camera, params.model.localisation, params.marks};
   const Tick interval = ticks(params.model.localisation.mark_interval);
-  MarksBlock block;
+  MarksBlock block{};
   in_blocks(looks, [&](std::span<const Look> some) {
     for (std::size_t i = 0; i < some.size(); ++i)
       gather_looks(some[i], std::max(some[i].steps, interval), static_cast<int>(i), block);

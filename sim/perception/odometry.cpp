@@ -145,7 +145,7 @@ void scatter_walk(const PerceptionParams& params, const OdometryBlock& block, in
 
 void predict(const PerceptionParams& params, std::span<const Look> looks) {
   const OdometryConstants constants = constants_of(params);
-  OdometryBlock block;
+  OdometryBlock block{};
   in_blocks(looks, [&](std::span<const Look> some) {
     for (std::size_t i = 0; i < some.size(); ++i) gather_walk(some[i], static_cast<int>(i), block);
     in_lanes<predict_block>(block, constants);

@@ -32,10 +32,10 @@ agent::Pose rough_pose(const Localisation& model, const World& world, int robot)
   return belief;
 }
 
-/// Corrects the believed balls of at most `most` robots. One robot should not pay for the room of many.
-template <std::size_t most>
+/// Corrects the believed balls of at most `Most` robots. One robot should not pay for the room of many.
+template <std::size_t Most>
 void follow_ball(const PerceptionParams& params, std::span<const Look> looks) {
-  std::array<BallPercept, most> percepts;
+  std::array<BallPercept, Most> percepts;
   look_for_ball(params, looks, percepts);
   update(params, looks, percepts);
 }

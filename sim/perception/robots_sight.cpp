@@ -86,7 +86,7 @@ void look_at(const PerceptionParams& params, std::span<const Glance> glances) {
   const Effects& effects = params.effects;
   const GlanceConstants constants{params.model, effects.limited_view ? 0 : 1, effects.missed_ball ? 0 : 1,
                                   effects.ball_noise ? 0 : 1};
-  GlanceBlock block;
+  GlanceBlock block{};
   in_blocks(glances, [&](std::span<const Glance> some) {
     for (std::size_t i = 0; i < some.size(); ++i) gather_glance(some[i], static_cast<int>(i), block);
     in_lanes<glance_at_opponents>(block, constants);
