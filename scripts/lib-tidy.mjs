@@ -20,7 +20,7 @@ const isOurs = (path) => [root, buildFolder].some((folder) => /^(robot|sim)\//.t
 const commands = JSON.parse(readFileSync(join(buildFolder, "compile_commands.json"), "utf8"))
   .filter(({ file }) => isOurs(file))
   // clang does not know these options of gcc
-  .map((entry) => ({ ...entry, command: entry.command.replaceAll(" -Wno-subobject-linkage", "") }));
+  .map((entry) => ({ ...entry, command: entry.command.replace(/ (-Wno-subobject-linkage|-fno-thread-jumps)\b/g, "") }));
 writeFileSync(join(tidyFolder, "compile_commands.json"), JSON.stringify(commands, null, 1));
 
 /** Returns the headers of each object file as ninja recorded them: object → paths. */

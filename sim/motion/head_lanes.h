@@ -28,7 +28,7 @@ struct HeadLanes {
 };
 
 /// Turns the heads.
-template <bool limited>
+template <bool Limited>
 void turn_heads_on(const Head& model, HeadLanes& a) {
   const Head head = model;
   SIM_FOR_LANES(i) {
@@ -37,7 +37,7 @@ void turn_heads_on(const Head& model, HeadLanes& a) {
     const bool aims = a.aims[i] != 0;
     a.to_yaw[i] = aims ? aimed.yaw : a.aim[i].x, a.to_pitch[i] = aims ? aimed.pitch : a.aim[i].y;
   }
-  SIM_FOR_LANES(i) a.set_gaze(i, turned_to(head, limited, {a.to_yaw[i], a.to_pitch[i]}, a.dt[i], a.gaze(i)));
+  SIM_FOR_LANES(i) a.set_gaze(i, turned_to(head, Limited, {a.to_yaw[i], a.to_pitch[i]}, a.dt[i], a.gaze(i)));
 }
 
 }  // namespace sim::motion

@@ -161,10 +161,10 @@ void scatter(const WalkLanes& lanes, int i, const Walker& walker) {
   body.step_velocity = gait.velocity, body.step_turn_rate = gait.turn_rate;
 }
 
-template <bool limited>
+template <bool Limited>
 [[gnu::noinline]] void move_lanes(const Legs& legs, bool begin, WalkLanes& lanes) {
-  if (begin) in_lanes<begin_steps<limited>>(legs.walk, legs.effects, lanes);
-  in_lanes<glide_on<limited>>(legs.walk, lanes);
+  if (begin) in_lanes<begin_steps<Limited>>(legs.walk, legs.effects, lanes);
+  in_lanes<glide_on<Limited>>(legs.walk, lanes);
 }
 
 /// Reads the next piece of a walk into lane `i`. Returns its ticks.

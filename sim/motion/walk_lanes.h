@@ -72,7 +72,7 @@ struct WalkLanes {
 };
 
 /// Settles the gait of the steps that begin, and removes the rounding of the small turns before.
-template <bool limited>
+template <bool Limited>
 void begin_steps(const Walk& model, const Effects& effects, WalkLanes& a) {
   const Walk walk = model;
   SIM_FOR_LANES(i) a.share[i] = 1;
@@ -82,10 +82,10 @@ void begin_steps(const Walk& model, const Effects& effects, WalkLanes& a) {
   if (effects.walk_noise) SIM_FOR_LANES(i) a.set_luck(i, luck_of(walk, a.draws.draw(i, Draw::walk_noise)));
 
   GaitLanes by_speed, far, near;
-  SIM_FOR_LANES(i) by_speed.set(i, at_speed(a.walk(i, walk), limited, a.errand(i), a.luck(i)));
-  SIM_FOR_LANES(i) far.set(i, towards_far(a.walk(i, walk), limited, a.gain[i], a.errand(i), a.luck(i)));
+  SIM_FOR_LANES(i) by_speed.set(i, at_speed(a.walk(i, walk), Limited, a.errand(i), a.luck(i)));
+  SIM_FOR_LANES(i) far.set(i, towards_far(a.walk(i, walk), Limited, a.gain[i], a.errand(i), a.luck(i)));
   SIM_FOR_LANES(i)
-  near.set(i, towards_near(a.walk(i, walk), limited, a.gain[i], a.errand(i), a.until_next[i], a.luck(i)));
+  near.set(i, towards_near(a.walk(i, walk), Limited, a.gain[i], a.errand(i), a.until_next[i], a.luck(i)));
 
   SIM_FOR_LANES(i) {
     const bool begins = a.begins[i] != 0, walks = a.walks[i] != 0;
@@ -96,11 +96,11 @@ void begin_steps(const Walk& model, const Effects& effects, WalkLanes& a) {
 }
 
 /// Moves the bodies through the piece.
-template <bool limited>
+template <bool Limited>
 void glide_on(const Walk& model, WalkLanes& a) {
   const Walk walk = model;
   SIM_FOR_LANES(i) {
-    const Glide glided = glide(walk, limited, a.gait[i], a.dt[i], a.body(i));
+    const Glide glided = glide(walk, Limited, a.gait[i], a.dt[i], a.body(i));
     a.set_body(i, glided.body);
     a.set_errand(i, after(a.errand(i), glided.moved));
   }
