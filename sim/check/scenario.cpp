@@ -36,14 +36,6 @@ struct Numbers {
   }
 };
 
-void read_text(Reader& reader, const Json& json, const char* key, std::string& into) {
-  const Json* found = reader.find(json, key, Fields::some);
-  if (!found) return;
-  if (!found->is_string())
-    return reader.refuse("check." + std::string(key) + " must be a text, got " + io::shown(*found));
-  into = found->get<std::string>();
-}
-
 void read_metrics(Reader& reader, const Json& check, std::vector<NamedMetric>& into) {
   const Json* metrics = reader.find(check, "metrics", Fields::some);
   if (!metrics) return reader.refuse("check.metrics is missing");
@@ -106,11 +98,10 @@ bool read_check(Reader& reader, const Json& check, const Overrides& overrides, S
   Numbers numbers;
   reader.read(check, "check", Fields::some, numbers,
               {"home", "away", "rules", "models", "events", "metrics", "expect"});
-  std::string models = "match";
-  read_text(reader, check, "home", into.game.strategies[0]);
-  read_text(reader, check, "away", into.game.strategies[1]);
-  read_text(reader, check, "rules", into.game.rules);
-  read_text(reader, check, "models", models);
+  into.game.strategies[0] = reader.text(check, "check", "home", into.game.strategies[0]);
+  into.game.strategies[1] = reader.text(check, "check", "away", into.game.strategies[1]);
+  into.game.rules = reader.text(check, "check", "rules", into.game.rules);
+  const std::string models = reader.text(check, "check", "models", "match");
   read_metrics(reader, check, into.metrics);
   read_expectations(reader, check, into.metrics);
   for (std::string& side : into.game.models) side = models;

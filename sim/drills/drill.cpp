@@ -34,17 +34,9 @@ struct Numbers {
   }
 };
 
-void read_text(Reader& reader, const Json& json, const char* key, std::string& into) {
-  const Json* found = reader.find(json, key, Fields::some);
-  if (!found) return;
-  if (!found->is_string()) return reader.refuse(std::string(key) + " must be a text, got " + shown(*found));
-  into = found->get<std::string>();
-}
-
 /// Reads a condition that comes true in some tick.
 void read_condition(Reader& reader, const Json& json, const char* key, check::Condition& into) {
-  std::string text;
-  read_text(reader, json, key, text);
+  const std::string text = reader.text(json, "", key);
   if (!reader.good() || !json.contains(key)) return;
   Result<check::Condition> condition = check::parse_condition(text);
   if (!condition) return reader.refuse(std::string(key) + ": " + condition.error());
@@ -100,13 +92,12 @@ void read_game(Reader& reader, const Json& json, Drill& drill) {
   reader.read(
       json, "", Fields::some, numbers,
       {"about", "home", "away", "rules", "models", "start", "success", "failure", "time_over", "score", "progress"});
-  std::string models = "match", time_over = "failure";
-  read_text(reader, json, "about", drill.about);
-  read_text(reader, json, "home", drill.game.strategies[0]);
-  read_text(reader, json, "away", drill.game.strategies[1]);
-  read_text(reader, json, "rules", drill.game.rules);
-  read_text(reader, json, "models", models);
-  read_text(reader, json, "time_over", time_over);
+  drill.about = reader.text(json, "", "about", drill.about);
+  drill.game.strategies[0] = reader.text(json, "", "home", drill.game.strategies[0]);
+  drill.game.strategies[1] = reader.text(json, "", "away", drill.game.strategies[1]);
+  drill.game.rules = reader.text(json, "", "rules", drill.game.rules);
+  const std::string models = reader.text(json, "", "models", "match");
+  const std::string time_over = reader.text(json, "", "time_over", "failure");
   if (time_over != "failure" && time_over != "success")
     reader.refuse("time_over must be failure or success, got " + io::quoted(time_over));
   drill.game.models[0] = drill.game.models[1] = models;

@@ -52,17 +52,9 @@ struct Numbers {
   }
 };
 
-void read_text(Reader& reader, const Json& json, const char* key, std::string& into) {
-  const Json* found = reader.find(json, key, Fields::some);
-  if (!found) return;
-  if (!found->is_string()) return reader.refuse(std::string(key) + " must be a text, got " + io::shown(*found));
-  into = found->get<std::string>();
-}
-
 /// Reads one of several words; returns its number.
 int read_word(Reader& reader, const Json& json, const char* key, std::vector<std::string_view> words) {
-  std::string text(words.front());
-  read_text(reader, json, key, text);
+  const std::string text = reader.text(json, "", key, std::string(words.front()));
   for (std::size_t i = 0; i < words.size(); ++i)
     if (text == words[i]) return static_cast<int>(i);
   reader.refuse(std::string(key) + " must be one of " + io::listed(words) + ", got " + io::quoted(text));
@@ -108,8 +100,7 @@ Result<Options> read_options(std::string_view text) {
   Numbers numbers;
   reader.read(*json, "", Fields::some, numbers,
               {"drill", "rules", "models", "home", "away", "control", "actions", "frame", "restart"});
-  std::string drill;
-  read_text(reader, *json, "drill", drill);
+  const std::string drill = reader.text(*json, "", "drill");
   const int control = read_word(reader, *json, "control", {"home", "away", "both"});
   const int actions = read_word(reader, *json, "actions", {"menu", "skills", "motion"});
   const int restart = read_word(reader, *json, "restart", {"next_step", "never"});
@@ -129,11 +120,10 @@ Result<Options> read_options(std::string_view text) {
     options.drill = *std::move(loaded);
   }
   io::Matchup& game = options.drill.game;
-  std::string models = game.models[0];
-  read_text(reader, *json, "rules", game.rules);
-  read_text(reader, *json, "models", models);
-  read_text(reader, *json, "home", game.strategies[0]);
-  read_text(reader, *json, "away", game.strategies[1]);
+  game.rules = reader.text(*json, "", "rules", game.rules);
+  const std::string models = reader.text(*json, "", "models", game.models[0]);
+  game.strategies[0] = reader.text(*json, "", "home", game.strategies[0]);
+  game.strategies[1] = reader.text(*json, "", "away", game.strategies[1]);
   if (!reader.good()) return reader.error();
   game.models[0] = game.models[1] = models;
   if (numbers.players > 0) game.players = numbers.players;

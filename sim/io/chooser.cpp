@@ -25,25 +25,17 @@ struct Description {
   foresight::Terms terms;
 };
 
-void read_text(Reader& reader, const Json& json, const char* key, std::string& into) {
-  const Json* found = reader.find(json, key, Fields::some);
-  if (!found) return;
-  if (!found->is_string()) return reader.refuse(std::string(key) + " must be a text, got " + shown(*found));
-  into = found->get<std::string>();
-}
-
 Result<Description> parse(std::string_view text, const std::string& called, const Json& changes) {
   Result<Json> json = parse_object(text, called);
   if (!json) return json.failure();
   json->update(changes);
   Reader reader(called);
   Description description;
-  std::string about;
   reader.read(*json, "", Fields::some, description.terms, {"name", "about", "choose", "opponent", "opponent_models"});
-  read_text(reader, *json, "name", description.name);
-  read_text(reader, *json, "about", about);
-  read_text(reader, *json, "opponent", description.opponent);
-  read_text(reader, *json, "opponent_models", description.opponent_models);
+  description.name = reader.text(*json, "", "name", description.name);
+  reader.text(*json, "", "about");  // only for people
+  description.opponent = reader.text(*json, "", "opponent", description.opponent);
+  description.opponent_models = reader.text(*json, "", "opponent_models", description.opponent_models);
   const Json& from = (*json)["choose"];
   const bool names = from.is_array() && std::ranges::all_of(from, [](const Json& name) { return name.is_string(); });
   if (!names || from.size() < 2)

@@ -71,20 +71,12 @@ void read_models(Reader& reader, const Json& json, Fields fields, Models& models
   reader.refuse_unknown(json, "", known);
 }
 
-/// Returns the text at `key`, or an empty text.
-std::string text_at(Reader& reader, const Json& json, const char* key) {
-  const auto found = json.find(key);
-  if (found == json.end()) return {};
-  if (!found->is_string()) reader.refuse(std::string(key) + " must be a text, got " + shown(*found));
-  return found->is_string() ? found->get<std::string>() : "";
-}
-
 Result<Models> parse_upon(std::string_view text, const std::string& called, Sources* sources, int bases) {
   Result<Json> json = parse_object(text, called);
   if (!json) return json.failure();
   Reader reader(called, sources);
   Models models{};
-  const std::string based_on = text_at(reader, *json, "based_on");
+  const std::string based_on = reader.text(*json, "", "based_on");
   if (!based_on.empty()) {
     if (bases == kMostBases)
       return Error{called + ": based_on leads through more than 8 files, or back to the same file"};
@@ -94,9 +86,9 @@ Result<Models> parse_upon(std::string_view text, const std::string& called, Sour
     if (!base) return base;
     models = std::move(*base);
   }
-  models.name = text_at(reader, *json, "name");
+  models.name = reader.text(*json, "", "name");
   if (models.name.empty()) reader.refuse("name is missing");
-  text_at(reader, *json, "about");
+  reader.text(*json, "", "about");
   read_models(reader, *json, based_on.empty() ? Fields::all : Fields::some, models);
   if (!reader.good()) return reader.error();
   return models;

@@ -30,6 +30,14 @@ const Json* Reader::find(const Json& parent, const char* name, Fields fields) {
   return nullptr;
 }
 
+std::string Reader::text(const Json& object, const std::string& path, const char* name, std::string otherwise) {
+  const auto found = object.find(name);
+  if (found == object.end()) return otherwise;
+  if (found->is_string()) return found->get<std::string>();
+  refuse(below(path, name) + " must be a text, got " + shown(*found));
+  return otherwise;
+}
+
 void Reader::refuse_unknown(const Json& object, const std::string& path, const std::vector<std::string_view>& known) {
   for (const auto& [key, value] : object.items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;

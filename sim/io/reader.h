@@ -54,6 +54,10 @@ class Reader {
   /// Returns the entry `name` of `parent`, or nullptr. A missing entry is an error if `fields` is all.
   const Json* find(const Json& parent, const char* name, Fields fields);
 
+  /// Returns the text `name` of `object`, which is at `path` ("" is the top), or `otherwise` if there is no such entry.
+  /// An entry that is no text is an error.
+  std::string text(const Json& object, const std::string& path, const char* name, std::string otherwise = "");
+
   bool is_object(const Json& json, const std::string& path);
   void refuse_unknown(const Json& object, const std::string& path, const std::vector<std::string_view>& known);
 

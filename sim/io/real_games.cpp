@@ -24,20 +24,12 @@ std::optional<double> number_of(Reader& reader, const Json& entry, const std::st
   return found->get<double>();
 }
 
-std::string text_of(Reader& reader, const Json& entry, const std::string& path, const char* name) {
-  const auto found = entry.find(name);
-  if (found == entry.end()) return "";
-  if (found->is_string()) return found->get<std::string>();
-  reader.refuse(Reader::below(path, name) + " must be a text, got " + shown(*found));
-  return "";
-}
-
 void read_figure(Reader& reader, const Json& entry, const std::string& path, RealFigure& figure) {
   if (!reader.is_object(entry, path)) return;
   reader.refuse_unknown(entry, path, {"mean", "low", "high", "unit", "source"});
-  const std::string unit = text_of(reader, entry, path, "unit");
+  const std::string unit = reader.text(entry, path, "unit");
   if (unit != figure.unit) reader.refuse(path + ".unit must be \"" + figure.unit + "\", got \"" + unit + "\"");
-  figure.source = text_of(reader, entry, path, "source");
+  figure.source = reader.text(entry, path, "source");
   const auto mean = number_of(reader, entry, path, "mean");
   const auto low = number_of(reader, entry, path, "low"), high = number_of(reader, entry, path, "high");
   if (!mean) return reader.refuse(path + ".mean is missing, expected a number");
@@ -55,8 +47,7 @@ Result<RealGames> parse_real_games(std::string_view text, const std::string& cal
   if (!json) return json.failure();
   Reader reader(called);
   reader.refuse_unknown(*json, "", {"name", "about", "figures"});
-  RealGames games{
-      .name = text_of(reader, *json, "", "name"), .about = text_of(reader, *json, "", "about"), .figures = {}};
+  RealGames games{.name = reader.text(*json, "", "name"), .about = reader.text(*json, "", "about"), .figures = {}};
   const Json* figures = reader.find(*json, "figures", Fields::all);
   if (!figures || !reader.is_object(*figures, "figures")) return reader.error();
 

@@ -19,14 +19,6 @@ constexpr int kMostBases = 8;  // files in a chain of "based_on"
 constexpr std::size_t kLongestName = 60;
 constexpr const char* kMerged[] = {"parameters", "roles", "habits", "formation", "subtrees"};
 
-/// Returns the text at `key`, or an empty text.
-std::string text_at(Reader& reader, const Json& json, const char* key) {
-  const auto found = json.find(key);
-  if (found == json.end()) return {};
-  if (!found->is_string()) reader.refuse(std::string(key) + " must be a text, got " + shown(*found));
-  return found->is_string() ? found->get<std::string>() : "";
-}
-
 /// Reads the places of players 1..: pairs of shares.
 void read_places(Reader& reader, const Json& formation, const char* key, Vec2 (&places)[kMaxPlayers]) {
   const auto list = formation.find(key);
@@ -67,10 +59,10 @@ Result<agent::Tree> compiled(const Json& whole, const Json& own, const std::stri
   const char* const decides = part == Part::tree ? "tree" : "menu";
   reader.refuse_unknown(
       own, "", {"name", "about", "based_on", "parameters", "roles", "habits", "formation", decides, "subtrees"});
-  tree.name = text_at(reader, own, "name");
+  tree.name = reader.text(own, "", "name");
   if (tree.name.empty() || tree.name.size() > kLongestName)
     reader.refuse("name must have 1 .. " + std::to_string(kLongestName) + " bytes");
-  tree.about = text_at(reader, own, "about");
+  tree.about = reader.text(own, "", "about");
   for (const char* key : kMerged)
     if (const auto section = whole.find(key); section != whole.end()) reader.is_object(*section, key);
   if (!reader.good()) return reader.error();
