@@ -155,14 +155,14 @@ class MatchCommand final : public Command {
   int run_many(const contest::Lineup& lineup, const contest::Openings& openings) {
     std::vector<report::GameReport> reports(static_cast<std::size_t>(games_));
     contest::Costs costs;
-    const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
+    const auto played = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
       if (auto report = play_one(cast, openings, wish(seed), nullptr, nullptr)) {
         report->decisions.clear();
         reports[static_cast<std::size_t>(game)] = *std::move(report);
       }
       costs.add(cast);
     });
-    if (!problem.empty()) return fail(problem);
+    if (!played) return fail(played.error());
     warn_of_repetition(games_, report::different_games(reports), choice_.choice());
     if (json_)
       std::printf("%s\n", report::to_json(reports, lineup.params().rules.players).dump(2).c_str());
@@ -173,10 +173,10 @@ class MatchCommand final : public Command {
 
   int run_lines(const contest::Lineup& lineup) {
     std::vector<report::GameLine> lines(static_cast<std::size_t>(games_));
-    const std::string problem = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
+    const auto played = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
       lines[static_cast<std::size_t>(game)] = report::game_line(cast.params(), seed, shoot_out_);
     });
-    if (!problem.empty()) return fail(problem);
+    if (!played) return fail(played.error());
     std::vector<std::uint64_t> hashes;
     for (const report::GameLine& line : lines) hashes.push_back(line.hash);
     warn_of_repetition(games_, contest::different_games(std::move(hashes)), choice_.choice());
@@ -184,22 +184,12 @@ class MatchCommand final : public Command {
     return kDone;
   }
 
-  /// Calls play(game, seed, cast) for each game. Returns the failure of a behaviour from outside, or an empty string.
-  std::string play_all(const contest::Lineup& lineup,
-                       const std::function<void(int, std::uint64_t, const contest::Cast&)>& play) const {
+  /// Calls play(game, seed, cast) for each game. Returns the failure of a behaviour from outside.
+  robot::Result<void> play_all(const contest::Lineup& lineup,
+                               const std::function<void(int, std::uint64_t, const contest::Cast&)>& play) const {
     ProgressBar progress("playing", static_cast<std::uint64_t>(games_));
-    contest::Problem problem;
-    contest::for_each_game(
-        games_, threads_ > 0 ? threads_ : contest::threads_for(games_),
-        [&](int game) {
-          if (problem.is_known()) return;
-          const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(game);
-          const contest::Cast cast(lineup, seed);
-          play(game, seed, cast);
-          if (cast.failed()) problem.tell(cast.problem());
-        },
-        [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
-    return problem.text();
+    return contest::for_each_cast(lineup, seed_, games_, threads_, play,
+                                  [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
   }
 
   ChoiceOptions choice_;

@@ -45,18 +45,13 @@ robot::Result<std::vector<statistics::Figures>> measure_games(const StatisticsTa
                                                               const contest::Openings& openings) {
   std::vector<MeasuredGame> games(static_cast<std::size_t>(task.games));
   ProgressBar progress("measuring", static_cast<std::uint64_t>(task.games));
-  contest::Problem problem;
-  contest::for_each_game(
-      task.games, task.threads > 0 ? task.threads : contest::threads_for(task.games),
-      [&](int game) {
-        if (problem.is_known()) return;
-        const std::uint64_t seed = task.seed + static_cast<std::uint64_t>(game);
-        const contest::Cast cast(lineup, seed);
+  const auto played = contest::for_each_cast(
+      lineup, task.seed, task.games, task.threads,
+      [&](int game, std::uint64_t seed, const contest::Cast& cast) {
         games[static_cast<std::size_t>(game)] = measure_game(task, cast, openings, seed);
-        if (cast.failed()) problem.tell(cast.problem());
       },
       [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
-  if (problem.is_known()) return robot::Error{problem.text()};
+  if (!played) return played.failure();
 
   std::vector<std::uint64_t> hashes;
   std::vector<statistics::Figures> windows;

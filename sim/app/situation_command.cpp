@@ -177,25 +177,20 @@ class SituationCommand final : public Command {
     if (!openings) return fail(openings.error());
 
     contest::Costs costs;
-    contest::Problem problem;
     std::vector<Rollout> rollouts(static_cast<std::size_t>(rollouts_));
-    {
+    const auto played = [&] {
       ProgressBar progress("rolling out", static_cast<std::uint64_t>(rollouts_));
-      contest::for_each_game(
-          rollouts_, contest::threads_for(rollouts_),
-          [&](int i) {
-            if (problem.is_known()) return;
-            const auto seed = static_cast<std::uint64_t>(i);
-            const contest::Cast cast(*lineup, seed);
+      return contest::for_each_cast(
+          *lineup, 0, rollouts_, 0,
+          [&](int i, std::uint64_t seed, const contest::Cast& cast) {
             const State start = openings->begin(cast.params(), seed);
             const Tick end = start.world.tick + ticks(static_cast<float>(seconds_));
             rollouts[static_cast<std::size_t>(i)] = roll_out(cast, start, end);
             costs.add(cast);
-            if (cast.failed()) problem.tell(cast.problem());
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
-    }
-    if (problem.is_known()) return fail(problem.text());
+    }();
+    if (!played) return fail(played.error());
     const Summary summary(rollouts);
     if (json_) {
       std::printf("%s\n", to_json(summary, seconds_).dump(2).c_str());

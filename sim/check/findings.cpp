@@ -9,7 +9,6 @@
 
 namespace sim::check {
 
-using robot::Error;
 using robot::Result;
 
 namespace {
@@ -85,18 +84,13 @@ Finding judge(const NamedMetric& metric, const std::vector<double>& values) {
 
 Result<std::vector<Finding>> play(const Scenario& scenario, const std::function<void(int)>& progress) {
   std::vector<Values> by_game(static_cast<std::size_t>(scenario.seeds));
-  contest::Problem problem;
-  contest::for_each_game(
-      scenario.seeds, contest::threads_for(scenario.seeds),
-      [&](int game) {
-        if (problem.is_known()) return;
-        const auto seed = static_cast<std::uint64_t>(game);
-        const contest::Cast cast(*scenario.lineup, seed);
+  const auto played = contest::for_each_cast(
+      *scenario.lineup, 0, scenario.seeds, 0,
+      [&](int game, std::uint64_t seed, const contest::Cast& cast) {
         by_game[static_cast<std::size_t>(game)] = play_one(scenario, cast, seed);
-        if (cast.failed()) problem.tell(cast.problem());
       },
       progress);
-  if (problem.is_known()) return Error{problem.text()};
+  if (!played) return played.failure();
 
   std::vector<Finding> findings;
   for (std::size_t i = 0; i < scenario.metrics.size(); ++i) {

@@ -58,18 +58,13 @@ robot::Result<Trials> run_trials(const Drill& drill, const TrialOptions& options
   if (!starts) return starts.failure();
 
   std::vector<Ended> all(static_cast<std::size_t>(options.trials));
-  contest::Problem problem;
-  contest::for_each_game(
-      options.trials, contest::threads_for(options.trials),
-      [&](int trial) {
-        if (problem.is_known()) return;
-        const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(trial);
-        const contest::Cast cast(*lineup, seed);
+  const auto played = contest::for_each_cast(
+      *lineup, options.seed, options.trials, 0,
+      [&](int trial, std::uint64_t seed, const contest::Cast& cast) {
         all[static_cast<std::size_t>(trial)] = play(drill, *starts, cast, seed);
-        if (cast.failed()) problem.tell(cast.problem());
       },
       progress);
-  if (problem.is_known()) return robot::Error{problem.text()};
+  if (!played) return played.failure();
   return counted(all);
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "sim/match/play.h"
 #include "tests/support/temporary_folder.h"
@@ -47,6 +48,49 @@ TEST(Lineup, AFileOfJsonKeepsItsOwnError) {
 TEST(Lineup, AStrategyThatIsNoFileKeepsItsOwnError) {
   EXPECT_EQ(refusal("basline"), "no strategy 'basline'; did you mean 'baseline'?");
   EXPECT_EQ(refusal("no/such.py").find("strategy 'no/such.py': "), 0u) << refusal("no/such.py");
+}
+
+TEST(Lineup, EachGameHasASeedAndACastOfItsOwn) {
+  const auto lineup = Lineup::prepare({.game = {.strategies = {"baseline", "kick_now"}}, .rest = {}});
+  ASSERT_TRUE(lineup) << lineup.error();
+  for (const int threads : {0, 1, 3}) {
+    std::vector<std::uint64_t> seeds(7);
+    std::vector<const agent::Behaviour*> players(7);
+    int finished = 0;
+    const auto played = for_each_cast(
+        *lineup, 40, 7, threads,
+        [&](int game, std::uint64_t seed, const Cast& cast) {
+          seeds[static_cast<std::size_t>(game)] = seed;
+          players[static_cast<std::size_t>(game)] = cast.params().teams[0].behaviour;
+        },
+        [&](int done) { finished = done; });
+    ASSERT_TRUE(played) << played.error();
+    EXPECT_EQ(seeds, (std::vector<std::uint64_t>{40, 41, 42, 43, 44, 45, 46}));
+    for (const agent::Behaviour* player : players) EXPECT_NE(player, lineup->params().teams[0].behaviour);
+    EXPECT_LE(finished, 7);
+  }
+}
+
+TEST(Lineup, ABehaviourFromOutsideThatFailsIsToldOnceAndNoOtherGameIsBegun) {
+  const tests::TemporaryFolder folder;
+  // it answers when it is asked who it is, and ends at once in each game
+  const std::string asked = (folder.path() / "asked").string();
+  const std::string program = written(folder, "once",
+                                      "#!/bin/sh\n[ -e " + asked + " ] && exit 3\ntouch " + asked +
+                                          "\nexec " FORESIGHT_PYTHON " " FORESIGHT_EXAMPLES "/charge.py\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const auto lineup = Lineup::prepare({.game = {.strategies = {"pipe:" + program, "baseline"}}, .rest = {}});
+  ASSERT_TRUE(lineup) << lineup.error();
+  int begun = 0;
+  const auto played = for_each_cast(*lineup, 1, 5, 1, [&](int, std::uint64_t seed, const Cast& cast) {
+    ++begun;
+    referee::Events events;
+    State state = begin(cast.params(), {seed}, events);
+    play_on(cast.params(), state, 60);
+  });
+  ASSERT_FALSE(played);
+  EXPECT_NE(played.error().find("status 3"), std::string::npos) << played.error();
+  EXPECT_EQ(begun, 1);
 }
 
 TEST(Lineup, TheExampleOfABehaviourFromOutsidePlaysAboutAsWellAsBaseline) {
