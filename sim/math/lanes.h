@@ -99,11 +99,16 @@ void in_lanes(Args&... args) {
   detail::has_wide_lanes() ? detail::run_wide<Kernel>(args...) : detail::run_narrow<Kernel>(args...);
 }
 
-/// Calls each(items) for one part of `all` after the other, with at most kLanes items each.
-template <class Item, class Each>
-void in_blocks(std::span<Item> all, Each&& each) {
-  for (std::size_t begin = 0; begin < all.size(); begin += kLanes)
-    each(all.subspan(begin, std::min<std::size_t>(kLanes, all.size() - begin)));
+/// Computes `all` in parts of at most kLanes items: gather(item, lane) for each item, then compute(), then
+/// scatter(item, lane) for each item.
+template <class Item, class Gather, class Compute, class Scatter>
+void in_blocks(std::span<Item> all, Gather&& gather, Compute&& compute, Scatter&& scatter) {
+  for (std::size_t begin = 0; begin < all.size(); begin += kLanes) {
+    const std::span<Item> some = all.subspan(begin, std::min<std::size_t>(kLanes, all.size() - begin));
+    for (std::size_t i = 0; i < some.size(); ++i) gather(some[i], static_cast<int>(i));
+    compute();
+    for (std::size_t i = 0; i < some.size(); ++i) scatter(some[i], static_cast<int>(i));
+  }
 }
 
 }  // namespace sim

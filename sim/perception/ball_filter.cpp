@@ -69,9 +69,7 @@ void believe_percepts(FilterBlock& block, const FilterConstants& constants) {
   const ImageNoise standing = image_noise(constants.model, true), walking = image_noise(constants.model, false);
   const float most = squared(filter.lost_deviation), gate = squared(filter.reacquire);
   SIM_FOR_LANES(i) {
-    const bool stands = block.stands[i] != 0;
-    const ImageNoise noise{stands ? standing.elevation : walking.elevation,
-                           stands ? standing.bearing : walking.bearing};
+    const ImageNoise noise = select(block.stands[i] != 0, standing, walking);
     const Measured percept{block.position[i], block.velocity[i], {block.count[i], block.middle[i], block.spread[i]}};
     const Estimate ball = block.ball.get(i);
 
@@ -129,14 +127,13 @@ void believe(const PerceptionParams& params, std::span<Percipient> all) {
   }
   const FilterConstants constants{params.model, params.model.camera.height - params.ball.radius};
   FilterBlock block{};
-  in_blocks(all, [&](std::span<Percipient> some) {
-    for (std::size_t i = 0; i < some.size(); ++i) gather_percept(some[i], static_cast<int>(i), block);
-    in_lanes<believe_percepts>(block, constants);
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      block.ball.scatter(static_cast<int>(i), some[i].look->beliefs->ball);
-      some[i].believed = block.believed[static_cast<int>(i)] != 0;
-    }
-  });
+  in_blocks(
+      all, [&](const Percipient& one, int i) { gather_percept(one, i, block); },
+      [&] { in_lanes<believe_percepts>(block, constants); },
+      [&](Percipient& one, int i) {
+        block.ball.scatter(i, one.look->beliefs->ball);
+        one.believed = block.believed[i] != 0;
+      });
 }
 
 /// Notes what the images showed besides the ball's place.

@@ -169,9 +169,7 @@ void measure_balls(PerceptBlock& block, const SightConstants& constants) {
   const ImageNoise standing = image_noise(model, true), walking = image_noise(model, false);
   const float farthest = kBeyondRange * model.ball.far_range;
   SIM_FOR_LANES(i) {
-    const bool stands = block.stands[i] != 0;
-    const ImageNoise noise{stands ? standing.elevation : walking.elevation,
-                           stands ? standing.bearing : walking.bearing};
+    const ImageNoise noise = select(block.stands[i] != 0, standing, walking);
     const Vec2 place = turned_back(block.ball[i] - block.position[i], block.facing[i]);
     const Vec2 velocity = turned_back(block.velocity[i], block.facing[i]);
     const Images images = images_of(block.chance[i], block.earlier[i], block.ago[i]);
@@ -235,11 +233,10 @@ void measure(const PerceptionParams& params, const SightConstants& constants, st
     return;
   }
   PerceptBlock block{};
-  in_blocks(all, [&](std::span<const Detected> some) {
-    for (std::size_t i = 0; i < some.size(); ++i) gather_detected(params, some[i], static_cast<int>(i), block);
-    in_lanes<measure_balls>(block, constants);
-    for (std::size_t i = 0; i < some.size(); ++i) scatter_percept(block, static_cast<int>(i), *some[i].percept);
-  });
+  in_blocks(
+      all, [&](const Detected& one, int i) { gather_detected(params, one, i, block); },
+      [&] { in_lanes<measure_balls>(block, constants); },
+      [&](const Detected& one, int i) { scatter_percept(block, i, *one.percept); });
 }
 
 /// Returns the detection of one lane, if there is one and nothing hides the ball. A body between camera and ball hides it;
@@ -267,7 +264,7 @@ void gather_sight(const PerceptionParams& params, const Look& look, int i, Sight
   block.draws.set(i, world.key, look.robot, world.tick);
   const Tick images = look.beliefs->ball.visible ? look.steps : 1;
   block.steps[i] = has_eyes(body) ? static_cast<std::int32_t>(images) : 0;
-  block.most = std::max(block.most, block.steps[i]);
+  block.most = std::max(i == 0 ? 0 : block.most, block.steps[i]);
 }
 
 /// Returns occasionally a false ball at a random place in view.
@@ -297,16 +294,14 @@ void look_for_ball(const PerceptionParams& params, std::span<const Look> looks, 
   std::size_t count = 0;
   SightBlock block{};
   auto percept = percepts.begin();
-  in_blocks(looks, [&](std::span<const Look> some) {
-    block.most = 0;
-    for (std::size_t i = 0; i < some.size(); ++i) gather_sight(params, some[i], static_cast<int>(i), block);
-    in_lanes<detect_balls>(block, constants);
-    for (std::size_t i = 0; i < some.size(); ++i, ++percept) {
-      *percept = no_percept();
-      if (const auto seen = detected_in(params, constants, block, static_cast<int>(i), some[i], *percept))
-        detected[count++] = *seen;
-    }
-  });
+  in_blocks(
+      looks, [&](const Look& look, int i) { gather_sight(params, look, i, block); },
+      [&] { in_lanes<detect_balls>(block, constants); },
+      [&](const Look& look, int i) {
+        *percept = no_percept();
+        if (const auto seen = detected_in(params, constants, block, i, look, *percept)) detected[count++] = *seen;
+        ++percept;
+      });
   measure(params, constants, {detected.data(), count});
 
   if (!params.effects.false_balls) return;

@@ -110,6 +110,10 @@ struct ImageNoise {
   float elevation;
   float bearing;
 };
+/// Returns `a` if `first` is true, `b` otherwise, without a branch.
+constexpr ImageNoise select(bool first, const ImageNoise& a, const ImageNoise& b) {
+  return {first ? a.elevation : b.elevation, first ? a.bearing : b.bearing};
+}
 inline ImageNoise image_noise(const Model& model, bool stands) {
   const Noise& noise = model.noise;
   const float pixels = noise.pixels * model.camera.pixel_angle;

@@ -18,11 +18,10 @@ constexpr float kCorrelated = 1;  // [m], [rad]
 
 float opposite(float heading) { return heading > 0 ? heading - kPi : heading + kPi; }
 
-Pose2 turned_round(Pose2 pose) { return {-pose.position, opposite(pose.heading)}; }
-
+/// Returns the pose turned by π about the centre of the field, or the pose itself.
 Pose2 turned_round_if(bool condition, Pose2 pose) {
-  const Pose2 round = turned_round(pose);
-  return {select(condition, round.position, pose.position), condition ? round.heading : pose.heading};
+  const float round = opposite(pose.heading);
+  return {select(condition, -pose.position, pose.position), condition ? round : pose.heading};
 }
 
 /// The constants of a look at the marks.
@@ -170,7 +169,7 @@ void gather_looks(const Look& look, Tick steps, int i, MarksBlock& block) {
   block.heading[i] = body.heading;
   block.head_pitch[i] = body.head_pitch;
   block.eyes[i] = has_eyes(body) ? 1 : 0;
-  block.mirrored[i] = attack_sign(world, side_of(look.robot)) > 0 ? 0 : 1;
+  block.mirrored[i] = attack_sign(world, side_of(look.robot)) < 0 ? 1 : 0;
   block.draws.set(i, world.key, look.robot, world.tick);
   const Cognition& cognition = *look.cognition;
   block.walked[i] = cognition.walked;
@@ -195,8 +194,7 @@ void scatter_looks(const MarksBlock& block, int i, const Look& look) {
 
 Pose2 true_pose(const World& world, int robot) {
   const Body& body = world.bodies[robot];
-  const Pose2 pose{body.position, body.heading};
-  return attack_sign(world, side_of(robot)) > 0 ? pose : turned_round(pose);
+  return turned_round_if(attack_sign(world, side_of(robot)) < 0, {body.position, body.heading});
 }
 
 void lose_pose(const Localisation& model, const World& world, int robot, agent::Pose& belief) {
@@ -213,14 +211,14 @@ void look_round(const PerceptionParams& params, std::span<const Look> looks) {
   const MarksConstants constants{params.model.camera, params.model.localisation, params.marks};
   const Tick interval = ticks(params.model.localisation.mark_interval);
   MarksBlock block{};
-  in_blocks(looks, [&](std::span<const Look> some) {
-    for (std::size_t i = 0; i < some.size(); ++i)
-      gather_looks(some[i], std::max(some[i].steps, interval), static_cast<int>(i), block);
+  const auto compute = [&] {
     in_lanes<look_at_marks>(block, constants);
     in_lanes<correct_poses>(block, constants);
     if (params.effects.pose_flips) in_lanes<flip_poses>(block, constants);
-    for (std::size_t i = 0; i < some.size(); ++i) scatter_looks(block, static_cast<int>(i), some[i]);
-  });
+  };
+  in_blocks(
+      looks, [&](const Look& look, int i) { gather_looks(look, std::max(look.steps, interval), i, block); }, compute,
+      [&](const Look& look, int i) { scatter_looks(block, i, look); });
 }
 
 void localise(const PerceptionParams& params, std::span<const Look> looks) {

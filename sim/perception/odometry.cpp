@@ -29,6 +29,14 @@ struct Walker {
   float scale, turn_scale;
 };
 
+/// The believed motion since the last reading. [robot, present pose]
+struct Odometry {
+  Vec2 moved;    // [m]
+  float way;     // [m] length of `moved`
+  float turned;  // [rad]
+  Vec2 turn;     // unit vector at `turned`
+};
+
 /// Returns the unit vector at `angle` [rad]. A small angle has the bits of sin_cos_of_rest.
 Vec2 direction_of_turn(float angle) {
   const float shifted = std::fabs(angle) > kPi / 4 ? angle * (2.f / kPi) + detail::kRound : detail::kRound;
@@ -146,11 +154,10 @@ void scatter_walk(const PerceptionParams& params, const OdometryBlock& block, in
 void predict(const PerceptionParams& params, std::span<const Look> looks) {
   const OdometryConstants constants = constants_of(params);
   OdometryBlock block{};
-  in_blocks(looks, [&](std::span<const Look> some) {
-    for (std::size_t i = 0; i < some.size(); ++i) gather_walk(some[i], static_cast<int>(i), block);
-    in_lanes<predict_block>(block, constants);
-    for (std::size_t i = 0; i < some.size(); ++i) scatter_walk(params, block, static_cast<int>(i), some[i]);
-  });
+  in_blocks(
+      looks, [&](const Look& look, int i) { gather_walk(look, i, block); },
+      [&] { in_lanes<predict_block>(block, constants); },
+      [&](const Look& look, int i) { scatter_walk(params, block, i, look); });
 }
 
 }  // namespace sim::perception

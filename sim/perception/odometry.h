@@ -8,14 +8,6 @@
 
 namespace sim::perception {
 
-/// The believed motion since the last reading. [robot, present pose]
-struct Odometry {
-  Vec2 moved;        // [m]
-  float way = 0;     // [m] length of `moved`
-  float turned = 0;  // [rad]
-  Vec2 turn{1, 0};   // unit vector at `turned`
-};
-
 /// Predicts the believed balls and poses of all lookers from their odometry, and moves `cognition.last` to the present
 /// pose. Many short predictions end where one long one does.
 ///

@@ -56,9 +56,7 @@ void glance_at_opponents(GlanceBlock& block, const GlanceConstants& constants) {
     const float range = std::sqrt(squared_length(to_it));
     const auto words = block.draws.draw(i, Draw::opponent_seen);
     const bool detected = uniform(words[0]) < probability(model.robots, range);
-    const bool stands = block.stands[i] != 0;
-    const ImageNoise noise{stands ? standing.elevation : walking.elevation,
-                           stands ? standing.bearing : walking.bearing};
+    const ImageNoise noise = select(block.stands[i] != 0, standing, walking);
     const Vec2 place = turned_back(to_it, block.facing[i]);
     const Seen seen = seen_through(noise, place, range, model.camera.height, farthest, normals(words[1], words[2]));
     const Vec2 believed = select(exact != 0, place, seen.place);
@@ -87,15 +85,14 @@ void look_at(const PerceptionParams& params, std::span<const Glance> glances) {
   const GlanceConstants constants{params.model, effects.limited_view ? 0 : 1, effects.missed_ball ? 0 : 1,
                                   effects.ball_noise ? 0 : 1};
   GlanceBlock block{};
-  in_blocks(glances, [&](std::span<const Glance> some) {
-    for (std::size_t i = 0; i < some.size(); ++i) gather_glance(some[i], static_cast<int>(i), block);
-    in_lanes<glance_at_opponents>(block, constants);
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      if (block.seen[static_cast<int>(i)] == 0) continue;
-      const Look& look = *some[i].look;
-      look.beliefs->opponents[player_of(some[i].opponent) - 1] = {block.place[static_cast<int>(i)], look.world->tick};
-    }
-  });
+  in_blocks(
+      glances, [&](const Glance& glance, int i) { gather_glance(glance, i, block); },
+      [&] { in_lanes<glance_at_opponents>(block, constants); },
+      [&](const Glance& glance, int i) {
+        if (block.seen[i] == 0) return;
+        const Look& look = *glance.look;
+        look.beliefs->opponents[player_of(glance.opponent) - 1] = {block.place[i], look.world->tick};
+      });
 }
 
 }  // namespace

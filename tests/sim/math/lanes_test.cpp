@@ -104,12 +104,20 @@ TEST(Lanes, BlocksHoldAllItemsInOrder) {
   for (std::size_t count = 0; count < 30; ++count) {
     std::vector<int> items(count);
     for (std::size_t i = 0; i < count; ++i) items[i] = static_cast<int>(i);
-    std::vector<int> seen;
-    in_blocks(std::span<const int>(items), [&](std::span<const int> some) {
-      EXPECT_LE(some.size(), static_cast<std::size_t>(kLanes));
-      EXPECT_FALSE(some.empty());
-      seen.insert(seen.end(), some.begin(), some.end());
-    });
+    std::vector<int> gathered, seen;
+    in_blocks(
+        std::span<const int>(items),
+        [&](int item, int lane) {
+          EXPECT_LT(lane, kLanes);
+          EXPECT_EQ(lane, static_cast<int>(gathered.size() - seen.size()));
+          gathered.push_back(item);
+        },
+        [&] { EXPECT_GT(gathered.size(), seen.size()); },
+        [&](int item, int lane) {
+          EXPECT_EQ(lane, static_cast<int>(seen.size()) % kLanes);
+          seen.push_back(item);
+        });
+    EXPECT_EQ(gathered, items);
     EXPECT_EQ(seen, items);
   }
 }
