@@ -15,8 +15,6 @@ using robot::Result;
 
 namespace {
 
-constexpr int kTogether = 32;  // games that are played together: their states fit the second cache
-
 /// Returns whether the robot takes part in the game, now or when its penalty is over.
 bool takes_part(const State& state, int robot) {
   return state.world.bodies[robot].doing != Body::Doing::removed || state.book.penalised_until[robot] != kNever;
@@ -173,7 +171,8 @@ Result<void> Environment::check_actions() const {
 Result<void> Environment::step() {
   if (auto checked = check_actions(); !checked) return checked;
   std::ranges::fill(arrays_.rewards, 0.f);
-  for (int first = 0; first < games(); first += kTogether) play(first, std::min(kTogether, games() - first));
+  constexpr int kMost = static_cast<int>(kTogether);
+  for (int first = 0; first < games(); first += kMost) play(first, std::min(kMost, games() - first));
   return {};
 }
 
