@@ -107,8 +107,6 @@ void hear_penalties(const State& state, int robot, agent::Beliefs& beliefs) {
 struct Actor {
   State* state;
   int robot;
-
-  Robot& self() const { return state->robots[robot]; }
 };
 
 /// A list of robots that are due in a tick, at most kMostGames * kMaxRobots.

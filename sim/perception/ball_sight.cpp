@@ -124,8 +124,7 @@ void detect_balls(SightBlock& block, const SightConstants& constants) {
   const std::int32_t everywhere = effects.limited_view ? 0 : 1;
   const float least = effects.missed_ball ? 0 : 1;
   SIM_FOR_LANES(i) {
-    const Vec2 to_it = block.ball[i] - block.position[i];
-    const Sighting sighting{to_it, squared_length(to_it), height};
+    const Sighting sighting = sighting_of(block.ball[i] - block.position[i], height);
     const Vec2 look = turned(block.look[i], block.facing[i]);
     const bool shown = in_view(model.camera, block.head_pitch[i], look, model.ball.far_range, sighting);
     const float range = std::sqrt(sighting.square), chance = probability(model.ball, range);

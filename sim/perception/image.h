@@ -25,10 +25,7 @@ struct Sighting {
   float square;  // [m²] squared distance
   float height;  // [m] of the camera above the point
 };
-inline Sighting sighting_of(const Body& body, Vec2 point, float height) {
-  const Vec2 to_it = point - body.position;
-  return {to_it, squared_length(to_it), height};
-}
+inline Sighting sighting_of(Vec2 to_it, float height) { return {to_it, squared_length(to_it), height}; }
 
 /// Returns the direction in which a robot looks [unit vector, field's axes].
 inline Vec2 look_of(const Body& body) { return turned(body.look, body.facing); }

@@ -43,8 +43,7 @@ void glance_at_opponents(GlanceBlock& block, const GlanceConstants& constants) {
   const float farthest = kBeyondRobotRange * model.robots.far_range;
   SIM_FOR_LANES(i) {
     // its feet must be in view
-    const Vec2 to_it = block.other[i] - block.position[i];
-    const Sighting sighting{to_it, squared_length(to_it), model.camera.height};
+    const Sighting sighting = sighting_of(block.other[i] - block.position[i], model.camera.height);
     const Vec2 look = turned(block.look[i], block.facing[i]);
     const bool shown = in_view(model.camera, block.head_pitch[i], look, model.robots.far_range, sighting);
     block.seen[i] = (shown ? 1 : 0) | everywhere;

@@ -35,7 +35,7 @@ TEST(Localisation, AWindowAgreesWithInView) {
   for (int i = 0; i < 20000; ++i) {
     scene.stand({metres(random), metres(random)}, metres(random));
     scene.look(yaws(random), pitches(random));
-    const Sighting mark = sighting_of(scene.body(), {metres(random), metres(random)}, camera.height);
+    const Sighting mark = sighting_of(Vec2{metres(random), metres(random)} - scene.body().position, camera.height);
     const bool shown =
         in_view(window_of(camera, look_of(scene.body()), scene.body().head_pitch, 2.5f), mark.to_it, mark.square);
     ASSERT_EQ(shown, in_view(camera, scene.body().head_pitch, look_of(scene.body()), 2.5f, mark)) << "case " << i;
