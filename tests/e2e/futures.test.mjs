@@ -147,7 +147,20 @@ async function openChange(t, server, back = 0) {
   await page.keyboard.press("End");
   for (let second = 0; second < back; ++second) await page.keyboard.press("ArrowLeft");
   await debug.getByRole("button", { name: "change…" }).click();
-  return { page, problems, panel: debug.getByRole("region", { name: "Change and run again" }) };
+  const panel = debug.getByRole("region", { name: "Change and run again" });
+  // right after the jump, not all beliefs of that moment have arrived
+  const taken = panel.getByText(/believed: it attacks|the game at/),
+    refused = panel.getByRole("alert");
+  await until(
+    async () => {
+      if (await refused.isVisible()) await panel.getByRole("button", { name: "take this moment" }).click();
+      return taken.isVisible();
+    },
+    "the moment",
+    undefined,
+    () => panel.textContent(),
+  );
+  return { page, problems, panel };
 }
 
 test("a recorded moment is changed from what the robot believed", async (t) => {

@@ -96,6 +96,13 @@ const fieldRow = (page, field) =>
 const valueOf = (page, field) => fieldRow(page, field).first().locator(".value > span").first().textContent();
 const seven = (value) => Number(value.toPrecision(7)); // the digits the page shows of a float
 
+/** Waits until a field shows this number: the recording may still play. */
+async function shows(page, field, expected) {
+  let shown;
+  const equal = async () => (shown = Number(await valueOf(page, field))) === seven(expected);
+  await until(equal, `${field} is ${seven(expected)}`, undefined, () => shown);
+}
+
 test("the tree shows each field as the recording holds it; search finds fields by words", async (t) => {
   const { server, recorded } = await synthetic(t);
   const { page, problems } = await open(t, `${server.http}/#/14/2/objects`);
@@ -105,16 +112,15 @@ test("the tree shows each field as the recording holds it; search finds fields b
 
   const pose = lastOf(recorded.get("/14/2/pose"));
   await page.getByRole("searchbox").fill("pose x");
-  assert.equal(Number(await valueOf(page, "x")), seven(pose.x));
+  await shows(page, "x", pose.x);
   await fieldRow(page, "x").first().click(); // the second row belongs to a particle
   await page.getByText("/14/2/pose.x", { exact: true }).waitFor();
   await shoot(page, "objects-search");
 
   await page.getByRole("searchbox").fill("inertial accelerometer");
   const inertial = lastOf(recorded.get("/14/2/inertial"));
-  for (const field of ["accelerometer_x", "accelerometer_y", "accelerometer_z"]) {
-    assert.equal(Number(await valueOf(page, field)), seven(inertial[field]), field);
-  }
+  for (const field of ["accelerometer_x", "accelerometer_y", "accelerometer_z"])
+    await shows(page, field, inertial[field]);
   await page.getByRole("searchbox").fill("no such field");
   await page.getByText("No field is called").waitFor();
   assert.deepEqual(problems, []);
