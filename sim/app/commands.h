@@ -54,6 +54,7 @@ std::unique_ptr<Command> why_command(CLI::App& app);
 std::unique_ptr<Command> whynot_command(CLI::App& app);
 std::unique_ptr<Command> debug_command(CLI::App& app);
 std::unique_ptr<Command> drills_command(CLI::App& app);
+std::unique_ptr<Command> learn_command(CLI::App& app);
 std::unique_ptr<Command> coverage_command(CLI::App& app);
 std::unique_ptr<Command> decisions_command(CLI::App& app);
 std::unique_ptr<Command> compare_command(CLI::App& app);

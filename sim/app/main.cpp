@@ -14,6 +14,7 @@ int sim_main(int argc, char** argv) {
   commands.push_back(replay_command(app));
   commands.push_back(check_command(app));
   commands.push_back(drills_command(app));
+  commands.push_back(learn_command(app));
   commands.push_back(why_command(app));
   commands.push_back(whynot_command(app));
   commands.push_back(debug_command(app));

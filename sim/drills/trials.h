@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 
 #include "robot/core/result.h"
@@ -20,6 +21,19 @@ struct TrialOptions {
   int trials = 400;
   std::uint64_t seed = 1;  // of the first attempt; the others have the next ones
 };
+
+/// The end of one attempt.
+struct Ended {
+  Outcome outcome = Outcome::running;
+  bool succeeded = false;  // by the drill
+  float score = 0;
+  float seconds = 0;
+};
+
+/// Plays one attempt for each element of `ended`, side by side; attempt i has the seed `first_seed` + i. The behaviours
+/// of `params` must be trees, which games can share.
+void play_attempts(const Drill& drill, const Starts& starts, const Params& params, std::uint64_t first_seed,
+                   std::span<Ended> ended);
 
 /// The results of all attempts.
 struct Trials {

@@ -1,6 +1,7 @@
 #include "sim/io/strategy.h"
 
 #include "robot/core/json_library.h"
+#include "sim/io/marks.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
 #include "sim/io/strategy_tree.h"
@@ -53,7 +54,12 @@ Json merged(Json base, const Json& json) {
 enum class Part { tree, menu };
 
 /// The description with its bases (`whole`), and the part in its own file (`own`).
-Result<agent::Tree> compiled(const Json& whole, const Json& own, const std::string& called, Part part = Part::tree) {
+Result<agent::Tree> compiled(const Json& marked_whole, const Json& marked_own, const std::string& called,
+                             Part part = Part::tree) {
+  const Result<Json> cleaned = without_marks(marked_whole), cleaned_own = without_marks(marked_own);
+  for (const Result<Json>* each : {&cleaned_own, &cleaned})
+    if (!*each) return each->failure(called);
+  const Json &whole = *cleaned, &own = *cleaned_own;
   Reader reader(called);
   agent::Tree tree;
   const char* const decides = part == Part::tree ? "tree" : "menu";
@@ -120,6 +126,16 @@ Result<agent::Tree> parse_menu(const Json& strategy, const std::string& called) 
   const Result<Json> whole = whole_of(strategy, called, 0);
   if (!whole) return whole.failure();
   return compiled(*whole, strategy, called, Part::menu);
+}
+
+Result<Json> flattened(std::string_view text, const std::string& called) {
+  const Result<Json> own = parse_object(text, called);
+  if (!own) return own;
+  Result<Json> whole = whole_of(*own, called, 0);
+  if (!whole) return whole;
+  if (const Result<agent::Tree> checked = compiled(*whole, *own, called); !checked) return checked.failure();
+  whole->erase("based_on");
+  return whole;
 }
 
 Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& name) {

@@ -23,6 +23,8 @@
 // closer than "or". A comparison with an unknown value is false, with and without "not". Values are numbers in SI, or
 // with deg, cm or min. Every rule may have a "name" for the trace, and an "about".
 //
+// Numbers, rules and the strategy may have marks for a learner: "learn" (sim/io/marks.h).
+//
 // The tables of features and skills are in sim/agent/features.cpp and sim/agent/skills.cpp. `foresight-sim features` and
 // `foresight-sim skills` print them.
 #pragma once
@@ -41,6 +43,9 @@ namespace sim::io {
 /// Parses the tree in `text`. `called` opens the sentence of an Error, which names the place:
 /// "strategy 'mine': tree[2].if: no feature "bal_age"; did you mean 'ball_age'?"
 robot::Result<agent::Tree> parse_strategy(std::string_view text, const std::string& called);
+
+/// Returns the description in `text` with all that it takes over from its bases, and with its marks (sim/io/marks.h).
+robot::Result<Json> flattened(std::string_view text, const std::string& called);
 
 /// Parses a strategy with a "menu", a list of rules, instead of a "tree". Settings, parameters and subtrees may come from
 /// "based_on". Fills Tree.menu.

@@ -52,6 +52,7 @@ enum class Draw : std::uint32_t {
   ball_size = 24,
   drill = 25,
   episode = 26,
+  learning = 27,
 };
 
 /// Returns 128 random bits. `robot` is the robot's index in the state, or kNobody when the draw belongs to no robot.

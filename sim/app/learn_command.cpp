@@ -1,0 +1,121 @@
+// foresight-sim learn: a tree goes in, a better tree comes out, and a test says whether it is better.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "robot/core/files.h"
+#include "robot/core/json_library.h"
+#include "robot/core/text.h"
+#include "sim/app/commands.h"
+#include "sim/app/progress.h"
+#include "sim/contest/series.h"
+#include "sim/io/json.h"
+#include "sim/learn/learning.h"
+#include "sim/report/learn_page.h"
+
+namespace sim::app {
+namespace {
+
+constexpr int kNotBetter = 1;
+
+class LearnCommand final : public Command {
+ public:
+  explicit LearnCommand(CLI::App& app)
+      : Command(app.add_subcommand("learn", "improve a decision tree layer by layer, and prove it")) {
+    options().add_option("strategy", choice_.strategy, "name or file of the tree to begin with")->required();
+    options()
+        .add_option("--layers", layers_, "names or files of layers, from the lowest on, behind commas")
+        ->capture_default_str();
+    options()
+        .add_option("--budget", budget_, "minutes that two cores of a laptop have for practice: 10m; the gate comes on top")
+        ->capture_default_str();
+    options().add_option("--out", out_, "file for the learned tree");
+    options().add_option("--html", html_, "file for an HTML page with the learning curves");
+    options().add_option("--from", choice_.folder, "folder of the run: begin it there, or go on after a kill");
+    options()
+        .add_option("--seed", choice_.seed, "seed of the run; the same seed gives the same tree")
+        ->check(CLI::Range(std::uint64_t{0}, learn::Seeds::kMostRun))
+        ->capture_default_str();
+    options().add_option("--opponents", opponents_, "opponents of whole games, behind commas")->capture_default_str();
+    options()
+        .add_option("--unseen", unseen_, "opponents that only the gate plays, behind commas; the tree may not be worse")
+        ->capture_default_str();
+    options().add_option("--rules", choice_.world.rules, "rules of whole games")->capture_default_str();
+    options().add_option("--models", choice_.world.models, "models of whole games")->capture_default_str();
+    options().add_flag("--robust", choice_.world.robust, "practise with other walks, kicks and ball noise, too");
+    options()
+        .add_option("--wanted", choice_.wanted, "[goals a game] gain that the gate must distinguish from none")
+        ->check(CLI::Range(0.01, 10.))
+        ->capture_default_str();
+    options()
+        .add_option("--most-pairs", choice_.most_pairs, "longest sequential test of the gate")
+        ->check(CLI::Range(50, 1'000'000))
+        ->capture_default_str();
+    options()
+        .add_option("--threads", choice_.world.threads, "default: one per processor; the tree is the same")
+        ->check(CLI::Range(1, 256));
+    options().add_flag("--control", choice_.shuffled, "deal the rewards by chance: nothing may be learned");
+    options().add_flag("--json", json_, "report as JSON");
+    options().footer("Exit status: 0 the learned tree is better, 1 it is not, 2 bad usage or input.");
+    choice_.world.threads = contest::threads_for(1 << 20);
+  }
+
+  int run() override {
+    if (const std::string wrong = read_words(); !wrong.empty()) return fail(wrong);
+    const auto course = [&] {
+      std::unique_ptr<ProgressBar> bar;
+      std::string shown;
+      return learn::learn(choice_, [&](const std::string& activity, double done) {
+        if (activity != shown) bar = std::make_unique<ProgressBar>(shown = activity, 1000);
+        bar->at(static_cast<std::uint64_t>(1000 * done));
+      });
+    }();
+    if (!course) return fail(course.error());
+    const io::Json json = report::learn_json(*course);
+    if (!out_.empty())
+      if (const auto written = robot::replace_file(out_, io::printed(course->learned) + "\n"); !written)
+        return fail(written.error());
+    if (!html_.empty())
+      if (const auto written = robot::replace_file(html_, report::learn_page(*course)); !written)
+        return fail(written.error());
+    std::fputs(json_ ? (json.dump(2) + "\n").c_str() : report::learn_text(*course).c_str(), stdout);
+    return course->better ? kDone : kNotBetter;
+  }
+
+ private:
+  std::string read_words() {
+    const auto list = [](const std::string& text) {
+      std::vector<std::string> names;
+      for (const std::string_view name : robot::split(text, ","))
+        if (!robot::trimmed(name).empty()) names.emplace_back(robot::trimmed(name));
+      return names;
+    };
+    choice_.layers = list(layers_), choice_.world.opponents = list(opponents_), choice_.unseen = list(unseen_);
+    if (choice_.layers.empty()) return "--layers must name at least one layer";
+    if (choice_.world.opponents.empty()) return "--opponents must name at least one behaviour";
+    for (const std::string& name : choice_.unseen)
+      if (std::ranges::find(choice_.world.opponents, name) != choice_.world.opponents.end())
+        return "--unseen must name behaviours that are not in --opponents, got '" + name + "'";
+    int used = 0;
+    char unit = 'm';
+    const int read = std::sscanf(budget_.c_str(), "%lf%n%c%n", &choice_.minutes, &used, &unit, &used);
+    const bool good = read >= 1 && used == static_cast<int>(budget_.size()) && (unit == 'm' || unit == 's' || unit == 'h');
+    if (unit == 's') choice_.minutes /= 60;
+    if (unit == 'h') choice_.minutes *= 60;
+    if (!good || !(choice_.minutes > 0 && choice_.minutes <= 6000))
+      return "--budget must be a time such as 90s, 10m or 2h, at most 100h, got '" + budget_ + "'";
+    choice_.name = out_.empty() ? "learned" : std::filesystem::path(out_).stem().string();
+    return "";
+  }
+
+  learn::LearnChoice choice_;
+  std::string layers_ = "follow,kick,pass,role", budget_ = "10m", out_, html_, opponents_ = "baseline,high_line",
+              unseen_ = "align_first,passing";
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> learn_command(CLI::App& app) { return std::make_unique<LearnCommand>(app); }
+
+}  // namespace sim::app

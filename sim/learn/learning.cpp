@@ -1,0 +1,254 @@
+#include "sim/learn/learning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include <unistd.h>
+
+#include "robot/core/files.h"
+#include "robot/core/json_library.h"
+#include "robot/core/text.h"
+#include "sim/io/source.h"
+#include "sim/io/strategy.h"
+#include "sim/io/variation.h"
+#include "sim/learn/edit.h"
+#include "sim/learn/growing.h"
+#include "sim/learn/tuning.h"
+#include "sim/match/hash.h"
+
+namespace sim::learn {
+namespace {
+
+using io::Json;
+using robot::Error;
+using robot::Result;
+
+constexpr double kSimulatedASecond = 9000;  // [s] by one core, measured with drills of models `match`
+constexpr double kTuned = 0.6;              // of a layer's budget; the rest is for structure and tests
+constexpr int kGenerations = 24;
+constexpr std::int64_t kUnseenPairs = 300;
+
+/// A folder for the files of a run: the one that was chosen, or one that goes with the run.
+class Place {
+ public:
+  static Result<Place> open(const std::filesystem::path& chosen) {
+    Place place;
+    place.kept_ = !chosen.empty();
+    std::error_code failed;
+    place.path_ = place.kept_ ? chosen
+                              : std::filesystem::temp_directory_path(failed) / ("learn-" + std::to_string(::getpid()));
+    if (!failed) std::filesystem::create_directories(place.path_, failed);
+    if (failed) return Error{"run " + place.path_.string() + ": " + failed.message()};
+    return place;
+  }
+  Place(Place&& other) noexcept : path_(std::exchange(other.path_, {})), kept_(other.kept_) {}
+  Place& operator=(Place&&) = delete;
+  ~Place() {
+    std::error_code ignored;
+    if (!kept_ && !path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+
+  std::filesystem::path file(const char* name) const { return path_ / name; }
+  std::filesystem::path ledger() const { return kept_ ? path_ / "ledger.txt" : std::filesystem::path(); }
+
+ private:
+  Place() = default;
+  std::filesystem::path path_;
+  bool kept_ = false;
+};
+
+/// Returns all that settles the run, as text.
+std::string specification_of(const LearnChoice& choice, const Json& start, const std::vector<Layer>& layers) {
+  Json json = {{"format", 1},
+               {"strategy", hex(hash_of_text(start.dump()))},
+               {"layers", Json::array()},
+               {"minutes", choice.minutes},
+               {"seed", choice.seed},
+               {"rules", choice.world.rules},
+               {"models", choice.world.models},
+               {"opponents", choice.world.opponents},
+               {"unseen", choice.unseen},
+               {"robust", choice.world.robust},
+               {"shuffled", choice.shuffled}};
+  for (const Layer& layer : layers) json["layers"].push_back(layer.name);
+  return json.dump(2) + "\n";
+}
+
+/// Begins the run in its folder, or goes on with it.
+Result<void> claim(const std::filesystem::path& file, const std::string& specification) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return robot::replace_file(file, specification);
+  const auto there = robot::read_file(file, 1 << 20);
+  if (!there) return there.failure();
+  if (*there == specification) return {};
+  return Error{file.string() + ": expected the same strategy, layers, budget, seed and world as before, got others"};
+}
+
+/// The run.
+class Learning {
+ public:
+  Learning(const LearnChoice& choice, Json start, std::vector<Layer> layers, Ledger& ledger, const Tell& tell)
+      : choice_(choice), layers_(std::move(layers)), ledger_(ledger), tell_(tell), seeds_(choice.seed) {
+    course_.start = std::move(start);
+    course_.learned = course_.start;
+  }
+
+  Result<Course> run(const Place& place) {
+    std::vector<Layer> lessons = layers_;
+    if (layers_.size() > 1) lessons.push_back(seam_of(layers_[layers_.size() - 2], layers_.back()));
+    const double each = Budget::of_minutes(choice_.minutes).seconds / static_cast<double>(lessons.size());
+    for (std::size_t i = 0; i < lessons.size(); ++i) {
+      number_ = i, count_ = lessons.size();
+      if (auto learned = lesson(lessons[i], each); !learned) return learned.failure();
+    }
+    course_.learned = without_unused(std::move(course_.learned));
+    course_.learned["name"] = choice_.name;
+    course_.first_test_seed = seeds_.first_of(Purpose::test);
+    if (course_.changes.empty()) return std::move(course_);
+    if (auto passed = gate(place); !passed) return passed.failure();
+    return std::move(course_);
+  }
+
+ private:
+  Result<void> lesson(const Layer& layer, double seconds) {
+    auto arena = Arena::prepare(layer.exercises, choice_.world, ledger_);
+    if (!arena) return arena.failure();
+    const Json before = course_.learned;
+    Lesson lesson{.name = layer.name, .about = layer.about, .changes = {}, .notes = {}, .curve = {}, .successes = {}};
+    const Practice practice{*arena, seeds_,
+                            [&](const std::string& activity, double done) {
+                              tell_(layer.name + ": " + activity,
+                                    (static_cast<double>(number_) + done) / static_cast<double>(count_));
+                            },
+                            choice_.shuffled};
+    if (auto tuned = take(tune(course_.learned, layer, tuning_plan(layer, *arena, seconds),
+                               seeds_.first_of(Purpose::training) + number_, practice),
+                          lesson);
+        !tuned)
+      return tuned;
+    if (!layer.actions.empty())
+      if (auto grown = take(grow(course_.learned, layer, growing_plan(layer, *arena, seconds), practice), lesson);
+          !grown)
+        return grown;
+    if (auto measured = measure(before, *arena, seconds, lesson); !measured) return measured;
+    course_.lessons.push_back(std::move(lesson));
+    return {};
+  }
+
+  Result<void> take(Result<Learned> step, Lesson& lesson) {
+    if (!step) return step.failure();
+    course_.learned = step->strategy;
+    std::ranges::copy(step->changes, std::back_inserter(lesson.changes));
+    std::ranges::copy(step->changes, std::back_inserter(course_.changes));
+    std::ranges::copy(step->notes, std::back_inserter(lesson.notes));
+    if (!step->curve.empty()) lesson.curve = std::move(step->curve);
+    return {};
+  }
+
+  TuningPlan tuning_plan(const Layer& layer, const Arena& arena, double seconds) const {
+    // a generation has about 12 candidates; the two rounds of the selection cost about as much as six generations
+    const double share = layer.actions.empty() ? 1 : kTuned;
+    const double candidates = kGenerations * 12 + 7 * 12;
+    const int attempts = fitting(arena, share * seconds / candidates);
+    return {.generations = kGenerations, .attempts = attempts, .selection = 8 * attempts};
+  }
+
+  GrowingPlan growing_plan(const Layer& layer, const Arena& arena, double seconds) const {
+    const double strategies = 6. * (1 + static_cast<double>(layer.actions.size())) + 2. * 2 * 8;
+    const int attempts = fitting(arena, (1 - kTuned) * seconds / strategies);
+    return {.attempts = attempts, .selection = 2 * attempts, .most = 6};
+  }
+
+  /// Returns the number of seeds that a strategy can play in so many simulated seconds, at least 24.
+  static int fitting(const Arena& arena, double seconds) {
+    return std::max(24, static_cast<int>(24 * std::floor(seconds / arena.cost_of(24))));
+  }
+
+  /// Measures the success before and after, on seeds that chose nothing.
+  Result<void> measure(const Json& before, Arena& arena, double seconds, Lesson& lesson) {
+    const int count = std::clamp(fitting(arena, 0.02 * seconds), 200, 2000);
+    const std::uint64_t first = seeds_.take(Purpose::held_out, static_cast<std::uint64_t>(count));
+    const auto scores = arena.play(std::vector<Json>{before, course_.learned}, first, count);
+    if (!scores) return scores.failure();
+    for (std::size_t e = 0; e < arena.size(); ++e) {
+      const std::vector<Score>&a = (*scores)[0][e], &b = (*scores)[1][e];
+      lesson.successes.push_back({.exercise = arena.exercise(e).name,
+                                  .attempts = static_cast<int>(a.size()),
+                                  .before = successes_in(a),
+                                  .after = successes_in(b),
+                                  .gain = success_gain(a, b)});
+    }
+    return {};
+  }
+
+  /// The learned tree must beat the start in a sequential test, and must not be worse against opponents that no game of
+  /// the run met. Its seeds are the test's.
+  Result<void> gate(const Place& place) {
+    const std::string a = place.file("start.json").string(), b = place.file("learned.json").string();
+    if (auto written = robot::replace_file(a, io::printed(course_.start) + "\n"); !written) return written;
+    if (auto written = robot::replace_file(b, io::printed(course_.learned) + "\n"); !written) return written;
+    std::vector<std::string> opponents{""};
+    opponents.insert(opponents.end(), choice_.unseen.begin(), choice_.unseen.end());
+    course_.better = true;
+    for (const std::string& opponent : opponents) {
+      const auto comparison = contest::Comparison::prepare({.a = a,
+                                                            .b = b,
+                                                            .opponent = opponent,
+                                                            .rules = choice_.world.rules,
+                                                            .models = choice_.world.models,
+                                                            .seed = course_.first_test_seed});
+      if (!comparison) return comparison.failure();
+      contest::ContestOptions options{.question = {.h0 = 0, .h1 = choice_.wanted},
+                                      .pairs = {},
+                                      .most_pairs = choice_.most_pairs,
+                                      .jobs = choice_.world.threads};
+      if (!opponent.empty()) options.pairs = kUnseenPairs;
+      tell_("the gate" + (opponent.empty() ? "" : ": against " + opponent), 1);
+      auto outcome = contest::play_contest(*comparison, options, nullptr, [](const auto&, double) {});
+      if (!outcome) return outcome.failure();
+      Against against{.opponent = opponent, .outcome = *std::move(outcome)};
+      against.passed = opponent.empty() ? against.outcome.verdict == compare::Verdict::better
+                                        : compare::gain_per_game(against.outcome.tally).high >= 0;
+      course_.better = course_.better && against.passed;
+      course_.gate.push_back(std::move(against));
+    }
+    return {};
+  }
+
+  const LearnChoice& choice_;
+  const std::vector<Layer> layers_;
+  Ledger& ledger_;
+  const Tell& tell_;
+  Seeds seeds_;
+  std::size_t number_ = 0, count_ = 1;
+  Course course_;
+};
+
+}  // namespace
+
+Budget Budget::of_minutes(double minutes) { return {.seconds = minutes * 60 * 2 * kSimulatedASecond}; }
+
+Result<Course> learn(const LearnChoice& choice, const Tell& tell) {
+  const Result<io::Source> source = io::find_source("strategies", "strategy", choice.strategy);
+  if (!source) return source.failure();
+  Result<Json> start = io::flattened(source->text, source->called);
+  if (!start) return start.failure();
+  std::vector<Layer> layers;
+  for (const std::string& name : choice.layers) {
+    auto layer = load_layer(name);
+    if (!layer) return layer.failure();
+    layers.push_back(*std::move(layer));
+  }
+  auto place = Place::open(choice.folder);
+  if (!place) return place.failure();
+  if (!choice.folder.empty())
+    if (auto claimed = claim(place->file("run.json"), specification_of(choice, *start, layers)); !claimed)
+      return claimed.failure();
+  auto ledger = Ledger::open(place->ledger());
+  if (!ledger) return ledger.failure();
+  return Learning(choice, *std::move(start), std::move(layers), *ledger, tell).run(*place);
+}
+
+}  // namespace sim::learn

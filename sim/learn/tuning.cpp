@@ -1,0 +1,147 @@
+#include "sim/learn/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "robot/core/json_library.h"
+#include "robot/core/text.h"
+#include "sim/learn/cma.h"
+#include "sim/math/angles.h"
+
+namespace sim::learn {
+namespace {
+
+using io::Json;
+using robot::Result;
+
+constexpr double kFirstStep = 0.15;  // of each range
+constexpr std::size_t kElites = 4;   // the last generations' best, which are evaluated again
+constexpr int kHeldOutEvery = 4;     // [generations] between two points of the curve
+
+/// A range of more than this factor is searched by its logarithm.
+constexpr float kWide = 4;
+bool by_logarithm(const Knob& knob) { return knob.least > 0 && knob.most > kWide * knob.least; }
+
+double place_of(const Knob& knob, float value) {
+  if (!by_logarithm(knob)) return static_cast<double>((value - knob.least) / (knob.most - knob.least));
+  return static_cast<double>(sim::log(value / knob.least) / sim::log(knob.most / knob.least));
+}
+
+float value_at(const Knob& knob, double place) {
+  // reflected at both ends
+  double inside = std::abs(std::fmod(place, 2.));
+  if (inside > 1) inside = 2 - inside;
+  const auto share = static_cast<float>(inside);
+  if (!by_logarithm(knob)) return rounded(knob, knob.least + share * (knob.most - knob.least));
+  return rounded(knob, knob.least * sim::exp(share * sim::log(knob.most / knob.least)));
+}
+
+std::vector<float> values_at(const std::vector<Knob>& knobs, const Vector& point) {
+  std::vector<float> values;
+  for (std::size_t i = 0; i < knobs.size(); ++i) values.push_back(value_at(knobs[i], point[i]));
+  return values;
+}
+
+/// One search.
+class Tuning {
+ public:
+  Tuning(const Json& strategy, std::vector<Knob> knobs, const TuningPlan& plan, std::uint64_t seed,
+         const Practice& practice)
+      : start_(strategy), knobs_(std::move(knobs)), plan_(plan), practice_(practice), cma_(begin(seed)) {}
+
+  Result<Learned> run() {
+    for (int i = 0; i < plan_.generations; ++i) {
+      practice_.tell("tuning", static_cast<double>(i) / plan_.generations);
+      if (auto done = generation(); !done) return done.failure();
+    }
+    return select();
+  }
+
+ private:
+  Cma begin(std::uint64_t seed) const {
+    Vector start;
+    for (const Knob& knob : knobs_) start.push_back(place_of(knob, knob.value));
+    const int population = std::max(10, Cma::usual_population(start.size()));
+    return {std::move(start), kFirstStep, population, seed};
+  }
+
+  Json strategy_at(const std::vector<float>& values) const { return with_values(start_, knobs_, values); }
+
+  Result<void> generation() {
+    const std::vector<Vector> points = cma_.ask();
+    std::vector<Json> strategies{start_};
+    for (const Vector& point : points) strategies.push_back(strategy_at(values_at(knobs_, point)));
+    const auto scores = practice_.play(strategies, Purpose::training, plan_.attempts);
+    if (!scores) return scores.failure();
+    Vector costs;
+    for (const Scores& each : *scores) costs.push_back(-practice_.arena.value_of(each));
+    const double start = -costs.front();
+    costs.erase(costs.begin());
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(costs) - costs.begin());
+    elites_.push_back(values_at(knobs_, points[best]));
+    if (elites_.size() > kElites) elites_.erase(elites_.begin());
+    cma_.tell(costs);
+    if (cma_.generation() % kHeldOutEvery == 0 || cma_.generation() == plan_.generations)
+      return add_to_curve(-costs[best] - start);
+    return {};
+  }
+
+  /// `training` is the gain of the generation's best candidate on its own seeds.
+  Result<void> add_to_curve(double training) {
+    const auto scores =
+        practice_.play({start_, strategy_at(values_at(knobs_, cma_.mean()))}, Purpose::held_out, plan_.attempts);
+    if (!scores) return scores.failure();
+    const contest::Mean gain = practice_.arena.gain_of((*scores)[0], (*scores)[1]);
+    curve_.push_back({cma_.generation(), training, gain.mean, gain.error});
+    return {};
+  }
+
+  /// The first round chooses among the mean and the elites, the second one tests the choice.
+  Result<Learned> select() {
+    Learned learned{.strategy = start_, .changes = {}, .notes = {}, .gain = {}, .curve = curve_};
+    std::vector<std::vector<float>> choices{values_at(knobs_, cma_.mean())};
+    choices.insert(choices.end(), elites_.begin(), elites_.end());
+    std::vector<Json> strategies;
+    for (const auto& values : choices) strategies.push_back(strategy_at(values));
+    const auto first = practice_.play(strategies, Purpose::selection, plan_.selection);
+    if (!first) return first.failure();
+    Vector costs;
+    for (const Scores& scores : *first) costs.push_back(-practice_.arena.value_of(scores));
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(costs) - costs.begin());
+
+    const auto second = practice_.play({start_, strategies[best]}, Purpose::selection, plan_.selection);
+    if (!second) return second.failure();
+    learned.gain = practice_.arena.gain_of((*second)[0], (*second)[1]);
+    const std::vector<std::string> lines = changes(knobs_, choices[best]);
+    learned.notes.push_back(robot::formatted("tuned %zu numbers in %d generations: gain %+.3f ± %.3f%s", knobs_.size(),
+                                             plan_.generations, learned.gain.mean, kSure * learned.gain.error,
+                                             is_sure(learned.gain) ? "" : ", not kept"));
+    if (!is_sure(learned.gain)) return learned;
+    learned.strategy = strategies[best];
+    learned.changes = lines;
+    return learned;
+  }
+
+  const Json& start_;
+  const std::vector<Knob> knobs_;
+  const TuningPlan plan_;
+  const Practice& practice_;
+  Cma cma_;
+  std::vector<std::vector<float>> elites_;
+  std::vector<CurvePoint> curve_;
+};
+
+}  // namespace
+
+Result<Learned> tune(const Json& strategy, const Layer& layer, const TuningPlan& plan, std::uint64_t seed,
+                     const Practice& practice) {
+  auto all = knobs_of(strategy);
+  if (!all) return all.failure();
+  std::erase_if(*all, [&](const Knob& knob) { return !layer.has(knob); });
+  if (all->empty())
+    return Learned{.strategy = strategy, .changes = {}, .notes = {"no number of this layer"}, .gain = {}, .curve = {}};
+  return Tuning(strategy, *std::move(all), plan, seed, practice).run();
+}
+
+}  // namespace sim::learn

@@ -1,0 +1,20 @@
+// The numbers of a layer, tuned by CMA-ES.
+#pragma once
+
+#include "sim/learn/layer.h"
+#include "sim/learn/step.h"
+
+namespace sim::learn {
+
+struct TuningPlan {
+  int generations = 20;
+  int attempts = 100;   // seeds of a candidate in a generation, which all candidates share
+  int selection = 600;  // seeds of each of the two rounds that choose the result
+};
+
+/// Tunes the knobs of the layer. The result is `strategy` itself unless the new values win the second round, whose seeds
+/// chose nothing, with 95 % confidence.
+robot::Result<Learned> tune(const io::Json& strategy, const Layer& layer, const TuningPlan& plan, std::uint64_t seed,
+                            const Practice& practice);
+
+}  // namespace sim::learn
