@@ -25,8 +25,10 @@ using io::Json;
 using robot::Error;
 using robot::Result;
 
-constexpr double kSimulatedASecond = 9000;  // [s] by one core, measured with drills of models `match`
-constexpr double kTuned = 0.6;              // of a layer's budget; the rest is for structure and tests
+constexpr double kSimulatedASecond = 4500;  // [s] by one core, measured with drills of models `match`
+constexpr double kTuned = 0.5;              // of a layer's budget for its numbers
+constexpr double kGrown = 0.3;              // for its structure
+constexpr double kGuarded = 0.2;            // for whole games before and after
 constexpr int kGenerations = 24;
 constexpr std::int64_t kUnseenPairs = 300;
 
@@ -132,6 +134,7 @@ class Learning {
       if (auto grown = take(grow(course_.learned, layer, growing_plan(layer, *arena, seconds), practice), lesson);
           !grown)
         return grown;
+    if (auto kept = keep_if_games_allow(before, seconds, lesson); !kept) return kept;
     if (auto measured = measure(before, *arena, seconds, lesson); !measured) return measured;
     course_.lessons.push_back(std::move(lesson));
     return {};
@@ -148,22 +151,43 @@ class Learning {
   }
 
   TuningPlan tuning_plan(const Layer& layer, const Arena& arena, double seconds) const {
-    // a generation has about 12 candidates; the two rounds of the selection cost about as much as six generations
-    const double share = layer.actions.empty() ? 1 : kTuned;
-    const double candidates = kGenerations * 12 + 7 * 12;
+    // a generation has about 12 candidates; the rounds of the selection cost about as much as thirteen generations
+    const double share = layer.actions.empty() ? kTuned + kGrown : kTuned;
+    const double candidates = kGenerations * 12 + 13 * 12;
     const int attempts = fitting(arena, share * seconds / candidates);
-    return {.generations = kGenerations, .attempts = attempts, .selection = 8 * attempts};
+    return {.generations = kGenerations, .attempts = attempts, .selection = 6 * attempts};
   }
 
   GrowingPlan growing_plan(const Layer& layer, const Arena& arena, double seconds) const {
     const double strategies = 6. * (1 + static_cast<double>(layer.actions.size())) + 2. * 2 * 8;
-    const int attempts = fitting(arena, (1 - kTuned) * seconds / strategies);
+    const int attempts = fitting(arena, kGrown * seconds / strategies);
     return {.attempts = attempts, .selection = 2 * attempts, .most = 6};
   }
 
   /// Returns the number of seeds that a strategy can play in so many simulated seconds, at least 24.
   static int fitting(const Arena& arena, double seconds) {
     return std::max(24, static_cast<int>(24 * std::floor(seconds / arena.cost_of(24))));
+  }
+
+  /// Takes the layer's changes back if whole games with them are worse on average: drills are a part of the game only.
+  Result<void> keep_if_games_allow(const Json& before, double seconds, Lesson& lesson) {
+    if (lesson.changes.empty()) return {};
+    auto games = Arena::prepare({{kGame, 1}}, choice_.world, ledger_);
+    if (!games) return games.failure();
+    const Practice practice{*games, seeds_, tell_, choice_.shuffled};
+    tell_(lesson.name + ": whole games", static_cast<double>(number_ + 1) / static_cast<double>(count_));
+    const auto scores =
+        practice.play({before, course_.learned}, Purpose::selection, fitting(*games, kGuarded * seconds / 2));
+    if (!scores) return scores.failure();
+    const contest::Mean gain = games->gain_of((*scores)[0], (*scores)[1]);
+    const bool kept = gain.mean >= 0;
+    lesson.notes.push_back(robot::formatted("in whole games: %+.3f ± %.3f goals%s", gain.mean, kSure * gain.error,
+                                            kept ? "" : ": all changes of the layer are taken back"));
+    if (kept) return {};
+    course_.learned = before;
+    course_.changes.resize(course_.changes.size() - lesson.changes.size());
+    lesson.changes.clear();
+    return {};
   }
 
   /// Measures the success before and after, on seeds that chose nothing.

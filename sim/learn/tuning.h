@@ -12,7 +12,8 @@ struct TuningPlan {
   int selection = 600;  // seeds of each of the two rounds that choose the result
 };
 
-/// Tunes the knobs of the layer. The result is `strategy` itself unless the new values win the second round, whose seeds
+/// Tunes the knobs of the layer that make a difference in its exercises. Numbers whose change is worth nothing keep their
+/// values. The result is `strategy` itself unless the new values win the second round, whose seeds
 /// chose nothing, with 95 % confidence.
 robot::Result<Learned> tune(const io::Json& strategy, const Layer& layer, const TuningPlan& plan, std::uint64_t seed,
                             const Practice& practice);
