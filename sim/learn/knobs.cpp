@@ -22,6 +22,7 @@ using robot::Result;
 constexpr float kFactor = 3;    // of a value, to each side of it
 constexpr float kShare = 0.25;  // of the allowed range, for a number that may be negative
 constexpr float kSteps = 100;   // of a range
+constexpr double kRounding = 1e-4;  // of a step
 
 bool is_angle(const io::Expected& expected) { return std::string_view(expected.unit) == "rad"; }
 
@@ -191,17 +192,21 @@ float rounded(const Knob& knob, float value) {
   while (step > range) step /= 10;
   while (step * 10 <= range) step *= 10;
   step *= step * 5 <= range ? 5 : step * 2 <= range ? 2 : 1;
-  const double nearest = std::round(scale * static_cast<double>(value) / step) * step / scale;
-  return std::clamp(static_cast<float>(nearest), knob.least, knob.most);
+  // the outermost steps within the range
+  const double first = std::ceil(scale * static_cast<double>(knob.least) / step - kRounding);
+  const double last = std::floor(scale * static_cast<double>(knob.most) / step + kRounding);
+  const double nearest = std::clamp(std::round(scale * static_cast<double>(value) / step), first, last);
+  return static_cast<float>(nearest * step / scale);
 }
 
 std::string text_of(const Knob& knob, float value) {
-  if (is_angle(knob.expected)) return robot::formatted("%.4g deg", static_cast<double>(value * kDegrees));
-  return robot::formatted("%.4g%s%s", static_cast<double>(value), *knob.expected.unit ? " " : "", knob.expected.unit);
+  if (is_angle(knob.expected)) return robot::formatted("%.6g deg", static_cast<double>(value * kDegrees));
+  return robot::formatted("%.6g%s%s", static_cast<double>(value), *knob.expected.unit ? " " : "", knob.expected.unit);
 }
 
 Json with_values(Json strategy, std::span<const Knob> knobs, std::span<const float> values) {
-  const Json parameters = strategy.value("parameters", Json::object());
+  const Result<Json> plain = io::without_marks(strategy);
+  const Json parameters = plain ? plain->value("parameters", Json::object()) : Json::object();
   for (std::size_t i = 0; i < knobs.size(); ++i) {
     const Knob& knob = knobs[i];
     if (values[i] == knob.value) continue;

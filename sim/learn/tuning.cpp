@@ -19,8 +19,7 @@ using robot::Result;
 constexpr double kFirstStep = 0.15;  // of each range
 constexpr std::size_t kElites = 4;   // the last generations' best, which are evaluated again
 constexpr int kHeldOutEvery = 4;     // [generations] between two points of the curve
-constexpr double kScreened = 0.25;   // of a range: the change that shows whether a number makes a difference
-constexpr int kScreenedAttempts = 64;
+constexpr int kScreenedAttempts = 64;  // at both ends of each range
 constexpr double kFelt = 0.03;  // share of an exercise's attempts that a number must change
 constexpr double kClear = 1;    // [standard errors] that a changed number must be worth
 
@@ -76,9 +75,9 @@ class Tuning {
     for (const Knob& knob : knobs_) values.push_back(knob.value);
     std::vector<Json> strategies{start_};
     for (std::size_t i = 0; i < knobs_.size(); ++i)
-      for (const double off : {-kScreened, kScreened}) {
+      for (const double end : {0., 1.}) {
         std::vector<float> other = values;
-        other[i] = value_at(knobs_[i], place_of(knobs_[i], values[i]) + off);
+        other[i] = value_at(knobs_[i], end);
         strategies.push_back(strategy_at(other));
       }
     const std::uint64_t first = practice_.seeds.take(Purpose::training, static_cast<std::uint64_t>(kScreenedAttempts));
