@@ -28,7 +28,7 @@ void put_action(const Json& action, Json& rule) {
 
 bool is_of(const Layer& layer, const Json& rule) {
   return rule.contains("do") && rule["do"].is_string() &&
-         std::ranges::find(layer.skills, rule["do"].get<std::string>()) != layer.skills.end();
+         std::ranges::find(layer.leaves, rule["do"].get<std::string>()) != layer.leaves.end();
 }
 
 /// Returns the list that holds the rule at `pointer`, and its place in it. The list is nullptr if the rule is in no list.

@@ -70,10 +70,11 @@ Result<Layer> parse_layer(std::string_view text, const std::string& called, cons
   const Result<Json> json = io::parse_object(text, called);
   if (!json) return json.failure();
   Reader reader(called);
-  reader.refuse_unknown(*json, "", {"about", "skills", "features", "conditions", "actions", "exercises"});
-  Layer layer{.name = name, .about = reader.text(*json, "", "about"), .skills = {}, .features = {}, .conditions = {},
-              .actions = {}, .exercises = {}};
+  reader.refuse_unknown(*json, "", {"about", "skills", "leaves", "features", "conditions", "actions", "exercises"});
+  Layer layer{.name = name, .about = reader.text(*json, "", "about"), .skills = {}, .leaves = {}, .features = {},
+              .conditions = {}, .actions = {}, .exercises = {}};
   layer.skills = names_in(reader, *json, "skills", io::skill_named);
+  layer.leaves = json->contains("leaves") ? names_in(reader, *json, "leaves", io::skill_named) : layer.skills;
   layer.features = names_in(reader, *json, "features", io::feature_named);
   layer.conditions = names_in(reader, *json, "conditions", io::feature_named);
   read_actions(reader, *json, layer);

@@ -3,7 +3,8 @@
 //
 //   {
 //     "about": "when to kick, and where",
-//     "skills": ["kick", "dribble"],                // their arguments, and the leaves that may get other actions
+//     "skills": ["kick", "dribble"],                // their arguments
+//     "leaves": ["kick"],                           // skills of the leaves that may get other actions; default: "skills"
 //     "features": ["ball_goal_distance"],           // the thresholds of their comparisons
 //     "conditions": ["opponent_ball_distance"],     // features of new conditions
 //     "actions": [{ "do": "dribble" }],             // other actions for a leaf
@@ -27,7 +28,7 @@ inline constexpr const char* kGame = "game";
 struct Layer {
   std::string name;
   std::string about;
-  std::vector<std::string> skills, features, conditions;
+  std::vector<std::string> skills, leaves, features, conditions;
   std::vector<std::string> actions;  // rules as JSON
   std::vector<std::pair<std::string, double>> exercises;
 

@@ -25,7 +25,7 @@ const Json kOther = Json::parse(R"([
 ])");
 
 Layer kicks() {
-  return {.name = "kick", .about = "", .skills = {"kick", "dribble"}, .features = {}, .conditions = {},
+  return {.name = "kick", .about = "", .skills = {"kick", "dribble"}, .leaves = {"kick", "dribble"}, .features = {}, .conditions = {},
           .actions = {R"({"do": "dribble"})", R"({"do": "kick", "with": {"range": "$far"}})"}, .exercises = {}};
 }
 

@@ -24,6 +24,13 @@ TEST(Layer, AKnobBelongsToItBySkillOrFeature) {
   EXPECT_FALSE(layer.has({.name = "", .place = "", .skills = {"pass"}, .features = {"ball_x"}}));
 }
 
+TEST(Layer, LeavesThatMayChangeAreThoseOfItsSkillsUnlessItNamesOthers) {
+  const Layer own = *parse_layer(R"({"skills": ["kick"], "exercises": {"corner": 1}})", "layer", "x");
+  EXPECT_EQ(own.leaves, own.skills);
+  const Layer other = *parse_layer(R"({"skills": ["pass"], "leaves": ["kick"], "exercises": {"corner": 1}})", "layer", "x");
+  EXPECT_EQ(other.leaves, std::vector<std::string>{"kick"});
+}
+
 TEST(Layer, ASeamHasTheNumbersOfBoth) {
   const Layer lower = *load_layer("kick"), upper = *load_layer("role"), seam = seam_of(lower, upper);
   EXPECT_EQ(seam.name, "kick and role");
