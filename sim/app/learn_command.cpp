@@ -27,7 +27,8 @@ class LearnCommand final : public Command {
         .add_option("--layers", layers_, "names or files of layers, from the lowest on, behind commas")
         ->capture_default_str();
     options()
-        .add_option("--budget", budget_, "minutes that two cores of a laptop have for practice: 10m; the gate comes on top")
+        .add_option("--budget", budget_,
+                    "minutes that two cores of a laptop have for practice: 10m; the gate comes on top")
         ->capture_default_str();
     options().add_option("--out", out_, "file for the learned tree");
     options().add_option("--html", html_, "file for an HTML page with the learning curves");
@@ -99,7 +100,8 @@ class LearnCommand final : public Command {
     int used = 0;
     char unit = 'm';
     const int read = std::sscanf(budget_.c_str(), "%lf%n%c%n", &choice_.minutes, &used, &unit, &used);
-    const bool good = read >= 1 && used == static_cast<int>(budget_.size()) && (unit == 'm' || unit == 's' || unit == 'h');
+    const bool good =
+        read >= 1 && used == static_cast<int>(budget_.size()) && (unit == 'm' || unit == 's' || unit == 'h');
     if (unit == 's') choice_.minutes /= 60;
     if (unit == 'h') choice_.minutes *= 60;
     if (!good || !(choice_.minutes > 0 && choice_.minutes <= 6000))

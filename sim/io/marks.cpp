@@ -66,7 +66,8 @@ class Cleaner {
   }
 
   void check_conditions(const Json& mark) {
-    const bool good = mark.is_object() && mark.size() == 1 && mark.contains("conditions") && mark["conditions"].is_array();
+    const bool good =
+        mark.is_object() && mark.size() == 1 && mark.contains("conditions") && mark["conditions"].is_array();
     if (!good) return refuse("", "{\"conditions\": [features]}", mark);
     for (const Json& name : mark["conditions"]) {
       if (!name.is_string()) return refuse("", "{\"conditions\": [features]}", mark);

@@ -1,4 +1,4 @@
-// Marks in a strategy: the parts that a learner may change (sim/learn). Whoever plays the strategy ignores them.
+// Marks in a strategy: the parts that a learner may change (sim/learn). A game ignores them.
 //
 //   "near_ball": { "value": "0.5 m", "learn": [0.2, 1.5] }              a number with its range, in the same unit
 //   { "name": "free", "do": "kick", "learn": [ { "do": "dribble" } ] }  a leaf with other actions for it

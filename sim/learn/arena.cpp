@@ -46,9 +46,8 @@ Result<void> add_params(const io::Matchup& game, const World& world, Arena::Exer
 Result<Arena::Exercise> game_of(const World& world) {
   Arena::Exercise exercise{.name = kGame, .is_game = true, .drill = nullptr, .starts = {}, .params = {}, .held = {}};
   for (const std::string& opponent : world.opponents) {
-    const io::Matchup game{.rules = world.rules,
-                           .strategies = {opponent, opponent},
-                           .models = {world.models, world.models}};
+    const io::Matchup game{
+        .rules = world.rules, .strategies = {opponent, opponent}, .models = {world.models, world.models}};
     if (auto added = add_params(game, world, exercise); !added) return added.failure();
   }
   return exercise;
@@ -156,7 +155,8 @@ double Arena::cost_of(int count) const {
   double seconds = 0;
   for (std::size_t i = 0; i < exercises_.size(); ++i) {
     const Exercise& exercise = exercises_[i];
-    const double longest = exercise.is_game ? 1500 : 0.6 * kTickDuration * static_cast<double>(exercise.drill->duration);
+    const double longest =
+        exercise.is_game ? 1500 : 0.6 * kTickDuration * static_cast<double>(exercise.drill->duration);
     seconds += longest * attempts_of(i, count);
   }
   return seconds;
@@ -214,8 +214,7 @@ Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::u
       });
   for (const Task* task : open)
     if (auto added = ledger_->add(task->key, task->scores); !added) return added.failure();
-  for (const Task& task : tasks)
-    std::ranges::copy(task.scores, all[task.strategy][task.exercise].begin() + task.from);
+  for (const Task& task : tasks) std::ranges::copy(task.scores, all[task.strategy][task.exercise].begin() + task.from);
   return all;
 }
 

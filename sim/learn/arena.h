@@ -22,7 +22,7 @@ namespace sim::learn {
 
 /// The world in which a run learns.
 struct World {
-  std::string rules = "spl2012", models = "match";  // of whole games; a drill has its own
+  std::string rules = "spl2012", models = "match";    // of whole games; a drill has its own
   std::vector<std::string> opponents = {"baseline"};  // of whole games, in turn
   bool robust = false;                                // play under each of contest::robust_conditions() in turn
   int threads = 1;

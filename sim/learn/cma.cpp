@@ -18,9 +18,7 @@ std::vector<Vector> identity(std::size_t size) {
   return matrix;
 }
 
-double squared(const Vector& vector) {
-  return std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.);
-}
+double squared(const Vector& vector) { return std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.); }
 
 /// Turns the plane of axes p and q so that matrix[p][q] becomes 0.
 void rotate(std::vector<Vector>& matrix, std::vector<Vector>& directions, std::size_t p, std::size_t q) {

@@ -44,8 +44,8 @@ void collect(const Json& json, std::set<std::string>& parameters, std::set<std::
   if (json.is_string()) {
     const auto& text = json.get_ref<const std::string&>();
     for (std::size_t at = text.find('$'); at != text.npos; at = text.find('$', at + 1)) {
-      const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_",
-                                                     at + 1);
+      const std::size_t end =
+          text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", at + 1);
       parameters.insert(text.substr(at + 1, end == text.npos ? end : end - at - 1));
     }
   }

@@ -11,9 +11,9 @@ namespace sim::learn {
 
 /// A leaf of a strategy: a rule with "do".
 struct LeafRule {
-  std::string pointer;               // JSON pointer
-  std::string name;                  // for people
-  io::Json action;                   // "do" and "with"
+  std::string pointer;                 // JSON pointer
+  std::string name;                    // for people
+  io::Json action;                     // "do" and "with"
   std::vector<io::Json> alternatives;  // other actions
 };
 
@@ -24,7 +24,8 @@ std::vector<LeafRule> leaves_of(const io::Json& strategy, const Layer& layer);
 io::Json with_action(io::Json strategy, const std::string& pointer, const io::Json& action);
 
 /// Returns the strategy with the rule "if `condition` do `action`" before the rule at `pointer`, within its condition.
-io::Json with_split(io::Json strategy, const std::string& pointer, const std::string& condition, const io::Json& action);
+io::Json with_split(io::Json strategy, const std::string& pointer, const std::string& condition,
+                    const io::Json& action);
 
 /// A rule that can go: another rule follows it in its list.
 struct SpareRule {

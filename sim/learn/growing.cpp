@@ -20,10 +20,10 @@ namespace {
 using io::Json;
 using robot::Result;
 
-constexpr double kOften = 0.05;      // a leaf counts if it is visited in this share of the attempts
-constexpr int kFewestOnASide = 15;   // attempts on either side of a threshold
-constexpr int kQuantiles = 8;        // thresholds that are tried for a feature
-constexpr double kPromising = 1.5;   // [standard errors] of the gain in training
+constexpr double kOften = 0.05;         // a leaf counts if it is visited in this share of the attempts
+constexpr int kFewestOnASide = 15;      // attempts on either side of a threshold
+constexpr int kQuantiles = 8;           // thresholds that are tried for a feature
+constexpr double kPromising = 1.5;      // [standard errors] of the gain in training
 constexpr double kWorthNothing = 0.01;  // [points] a rule whose removal surely costs less goes
 
 /// A condition on one feature.
@@ -66,8 +66,13 @@ struct Gains {
 /// Returns the value nearest to `value` that a person would write as a threshold of the feature, and its text.
 std::pair<float, std::string> written(const std::string& feature, float value) {
   const agent::FeatureInfo& info = info_of(agent::find_feature(feature));
-  Knob knob{.name = "", .place = "", .expected = io::expected_of(info), .least = value - 1, .most = value + 1,
-            .skills = {}, .features = {}};
+  Knob knob{.name = "",
+            .place = "",
+            .expected = io::expected_of(info),
+            .least = value - 1,
+            .most = value + 1,
+            .skills = {},
+            .features = {}};
   if (knob.expected.most <= 4) knob.least = value - 0.5f, knob.most = value + 0.5f;
   const float nearest = rounded(knob, value);
   return {nearest, text_of(knob, nearest)};
@@ -204,12 +209,14 @@ class Growing {
   /// for those behind a new rule in the same list: the changes go from the last rule to the first.
   Result<void> test_changes() {
     const int tests = static_cast<int>(changes_.size());
-    std::ranges::stable_sort(changes_, std::ranges::greater{}, [](const Change& change) { return place_in_list(change.pointer); });
+    std::ranges::stable_sort(changes_, std::ranges::greater{},
+                             [](const Change& change) { return place_in_list(change.pointer); });
     for (int i = 0; i < tests; ++i) {
       practice_.tell("testing changes", static_cast<double>(i) / tests);
       const Change& change = changes_[static_cast<std::size_t>(i)];
-      const Json changed = change.split ? with_split(learned_.strategy, change.pointer, text_of(*change.split), change.action)
-                                        : with_action(learned_.strategy, change.pointer, change.action);
+      const Json changed = change.split
+                               ? with_split(learned_.strategy, change.pointer, text_of(*change.split), change.action)
+                               : with_action(learned_.strategy, change.pointer, change.action);
       const auto gain = tested(changed);
       if (!gain) return gain.failure();
       const bool kept = is_sure(*gain, tests);
@@ -246,8 +253,8 @@ class Growing {
       if (!gain) return gain.failure();
       const bool goes = gain->mean >= 0 && gain->error > 0 && gain->mean - kSure * gain->error > -kWorthNothing;
       if (!goes) continue;
-      learned_.notes.push_back(robot::formatted("without %s: gain %+.3f ± %.3f", spare[i].name.c_str(), gain->mean,
-                                                kSure * gain->error));
+      learned_.notes.push_back(
+          robot::formatted("without %s: gain %+.3f ± %.3f", spare[i].name.c_str(), gain->mean, kSure * gain->error));
       learned_.strategy = pruned;
       learned_.changes.push_back(spare[i].name + ": removed, worth nothing");
     }

@@ -12,10 +12,13 @@ struct GrowingPlan {
   int most = 6;         // changes that are tested
 };
 
-/// Learns the value of each (leaf, action) from exploring starts: the same attempt with the leaf's own action and with
-/// another one is the same up to the first visit of the leaf, so the difference of their scores is what the action is
-/// worth there. A condition on the features of that moment, or none, is added where it gains most, if a test on other
-/// seeds confirms it; the confidence is shared among the tests of a layer. A rule whose removal costs nothing goes.
+/// Learns the value of each (leaf, action) from exploring starts. An attempt with the leaf's own action and the same one
+/// with another action are equal up to the first visit of the leaf. So the difference of their scores is the worth of the
+/// action in that moment.
+///
+/// Each leaf may get another action, with a condition on the features of that moment or without. The change that promises
+/// most is kept if a test on other seeds confirms it. The tests of a layer share their confidence. A rule whose removal
+/// costs nothing goes.
 robot::Result<Learned> grow(const io::Json& strategy, const Layer& layer, const GrowingPlan& plan,
                             const Practice& practice);
 

@@ -19,9 +19,9 @@ namespace {
 using io::Json;
 using robot::Result;
 
-constexpr float kFactor = 3;    // of a value, to each side of it
-constexpr float kShare = 0.25;  // of the allowed range, for a number that may be negative
-constexpr float kSteps = 100;   // of a range
+constexpr float kFactor = 3;        // of a value, to each side of it
+constexpr float kShare = 0.25;      // of the allowed range, for a number that may be negative
+constexpr float kSteps = 100;       // of a range
 constexpr double kRounding = 1e-4;  // of a step
 
 bool is_angle(const io::Expected& expected) { return std::string_view(expected.unit) == "rad"; }

@@ -24,9 +24,10 @@ struct Knob {
 };
 
 /// Returns the knobs of a flattened strategy (io::flattened), in the order of its text. A mark gives the range of a number.
-/// A number without one has a range of a third to three times its value, within what the skill or feature allows; a number
-/// that may be negative, a quarter of what is allowed to each side. Names, counts and features that never change in a
-/// game have no knobs.
+///
+/// Without a mark, the range is a third to three times the value. For a number that may be negative, it is a quarter of
+/// the allowed range to each side. It stays within the limits of skill and feature. Names, counts and features that never
+/// change in a game have no knobs.
 robot::Result<std::vector<Knob>> knobs_of(const io::Json& strategy);
 
 /// Returns the nearest value that a person would write: a step is about a hundredth of the range.

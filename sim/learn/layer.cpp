@@ -71,8 +71,14 @@ Result<Layer> parse_layer(std::string_view text, const std::string& called, cons
   if (!json) return json.failure();
   Reader reader(called);
   reader.refuse_unknown(*json, "", {"about", "skills", "leaves", "features", "conditions", "actions", "exercises"});
-  Layer layer{.name = name, .about = reader.text(*json, "", "about"), .skills = {}, .leaves = {}, .features = {},
-              .conditions = {}, .actions = {}, .exercises = {}};
+  Layer layer{.name = name,
+              .about = reader.text(*json, "", "about"),
+              .skills = {},
+              .leaves = {},
+              .features = {},
+              .conditions = {},
+              .actions = {},
+              .exercises = {}};
   layer.skills = names_in(reader, *json, "skills", io::skill_named);
   layer.leaves = json->contains("leaves") ? names_in(reader, *json, "leaves", io::skill_named) : layer.skills;
   layer.features = names_in(reader, *json, "features", io::feature_named);

@@ -39,8 +39,8 @@ class Place {
     Place place;
     place.kept_ = !chosen.empty();
     std::error_code failed;
-    place.path_ = place.kept_ ? chosen
-                              : std::filesystem::temp_directory_path(failed) / ("learn-" + std::to_string(::getpid()));
+    place.path_ =
+        place.kept_ ? chosen : std::filesystem::temp_directory_path(failed) / ("learn-" + std::to_string(::getpid()));
     if (!failed) std::filesystem::create_directories(place.path_, failed);
     if (failed) return Error{"run " + place.path_.string() + ": " + failed.message()};
     return place;
@@ -189,7 +189,7 @@ class Learning {
     return {.attempts = attempts, .selection = 2 * attempts, .most = 6};
   }
 
-  /// Returns the number of seeds that a strategy can play in so many simulated seconds, at least 24.
+  /// Returns the number of seeds that a strategy can play in these simulated seconds, at least 24.
   static int fitting(const Arena& arena, double seconds) {
     return std::max(24, static_cast<int>(24 * std::floor(seconds / arena.cost_of(24))));
   }

@@ -27,8 +27,8 @@ struct LearnChoice {
   std::string name;                 // of the learned strategy
 };
 
-/// The number of games that a run plays. It follows from the minutes alone, so that the same choice gives the same tree on
-/// every machine: as many simulated seconds as two cores of a laptop play in that time.
+/// The number of games that a run plays: as many simulated seconds as two cores of a laptop play in the given minutes. It
+/// depends on nothing else, so the same choice gives the same tree on every machine.
 struct Budget {
   double seconds = 0;  // simulated
 

@@ -15,8 +15,8 @@ namespace sim::learn {
 
 /// The result of one attempt at an exercise, or of one game.
 struct Score {
-  float points = 0;   // of a drill: its score; of a game: own goals less theirs
-  bool won = false;   // the attempt succeeded; the game was won
+  float points = 0;  // of a drill: its score; of a game: own goals less theirs
+  bool won = false;  // the attempt succeeded; the game was won
 
   friend bool operator==(const Score&, const Score&) = default;
 };

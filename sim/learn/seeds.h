@@ -23,9 +23,7 @@ class Seeds {
     return first;
   }
   /// Returns the seed that take() gives first.
-  std::uint64_t first_of(Purpose purpose) const {
-    return (static_cast<std::uint64_t>(purpose) << 50) + (run_ << 34);
-  }
+  std::uint64_t first_of(Purpose purpose) const { return (static_cast<std::uint64_t>(purpose) << 50) + (run_ << 34); }
   std::uint64_t used(Purpose purpose) const { return used_[static_cast<int>(purpose)]; }
 
  private:

@@ -1,4 +1,4 @@
-// What the steps of learning share: the place where they play, and their report.
+// The common parts of the steps of learning: the place where they play, and their report.
 #pragma once
 
 #include <functional>
@@ -41,12 +41,12 @@ struct CurvePoint {
 struct Learned {
   io::Json strategy;
   std::vector<std::string> changes;  // a line each; none: the strategy is the one before
-  std::vector<std::string> notes;    // what was tried
+  std::vector<std::string> notes;    // the attempts, a line each
   contest::Mean gain;                // of the changed strategy on the selection's seeds
   std::vector<CurvePoint> curve;
 };
 
-/// 95 % of a normal distribution lie within so many standard deviations.
+/// The number of standard deviations within which 95 % of a normal distribution lie.
 inline constexpr double kSure = 1.96;
 
 /// Returns whether a gain is above 0 with 95 % confidence, or with that of a number of tests together.

@@ -16,12 +16,12 @@ namespace {
 using io::Json;
 using robot::Result;
 
-constexpr double kFirstStep = 0.15;  // of each range
-constexpr std::size_t kElites = 4;   // the last generations' best, which are evaluated again
-constexpr int kHeldOutEvery = 4;     // [generations] between two points of the curve
+constexpr double kFirstStep = 0.15;    // of each range
+constexpr std::size_t kElites = 4;     // the last generations' best, which are evaluated again
+constexpr int kHeldOutEvery = 4;       // [generations] between two points of the curve
 constexpr int kScreenedAttempts = 64;  // at both ends of each range
-constexpr double kFelt = 0.03;  // share of an exercise's attempts that a number must change
-constexpr double kClear = 1;    // [standard errors] that a changed number must be worth
+constexpr double kFelt = 0.03;         // share of an exercise's attempts that a number must change
+constexpr double kClear = 1;           // [standard errors] that a changed number must be worth
 
 /// A range of more than this factor is searched by its logarithm.
 constexpr float kWide = 4;
@@ -57,7 +57,8 @@ class Tuning {
   Result<Learned> run() {
     if (auto screened = screen(); !screened) return screened.failure();
     if (knobs_.empty())
-      return Learned{.strategy = start_, .changes = {}, .notes = {"no number makes a difference"}, .gain = {}, .curve = {}};
+      return Learned{
+          .strategy = start_, .changes = {}, .notes = {"no number makes a difference"}, .gain = {}, .curve = {}};
     cma_.emplace(begin(seed_));
     for (int i = 0; i < plan_.generations; ++i) {
       practice_.tell("tuning", static_cast<double>(i) / plan_.generations);
@@ -85,7 +86,8 @@ class Tuning {
     if (!scores) return scores.failure();
     std::vector<Knob> kept;
     for (std::size_t i = 0; i < knobs_.size(); ++i)
-      if (std::max(differing((*scores)[0], (*scores)[2 * i + 1]), differing((*scores)[0], (*scores)[2 * i + 2])) >= kFelt)
+      if (std::max(differing((*scores)[0], (*scores)[2 * i + 1]), differing((*scores)[0], (*scores)[2 * i + 2])) >=
+          kFelt)
         kept.push_back(knobs_[i]);
     knobs_ = std::move(kept);
     return {};
@@ -183,7 +185,8 @@ class Tuning {
       if (worth.mean < kClear * worth.error) simple[changed[k]] = knobs_[changed[k]].value;
     }
     if (simple == values) return learned;
-    const auto test = practice_.play({start_, learned.strategy, strategy_at(simple)}, Purpose::selection, plan_.selection);
+    const auto test =
+        practice_.play({start_, learned.strategy, strategy_at(simple)}, Purpose::selection, plan_.selection);
     if (!test) return test.failure();
     const contest::Mean gain = practice_.arena.gain_of((*test)[0], (*test)[2]);
     const contest::Mean lost = practice_.arena.gain_of((*test)[2], (*test)[1]);

@@ -103,8 +103,11 @@ std::string lesson_section(const Lesson& lesson) {
 Json gain_json(const contest::Mean& gain) { return {{"mean", gain.mean}, {"error", gain.error}}; }
 
 Json lesson_json(const Lesson& lesson) {
-  Json json = {{"name", lesson.name},   {"changes", lesson.changes},    {"notes", lesson.notes},
-               {"curve", Json::array()}, {"successes", Json::array()}};
+  Json json = {{"name", lesson.name},
+               {"changes", lesson.changes},
+               {"notes", lesson.notes},
+               {"curve", Json::array()},
+               {"successes", Json::array()}};
   for (const CurvePoint& point : lesson.curve)
     json["curve"].push_back({{"generation", point.generation},
                              {"training", point.training},
@@ -126,7 +129,8 @@ std::string learn_text(const Course& course) {
   for (const Lesson& lesson : course.lessons) {
     text += lesson.name + ": " + lesson.about + "\n";
     for (const std::string& note : lesson.notes) text.append("  ").append(note).append("\n");
-    for (const Lesson::Success& success : lesson.successes) text.append("  ").append(success_line(success)).append("\n");
+    for (const Lesson::Success& success : lesson.successes)
+      text.append("  ").append(success_line(success)).append("\n");
     text += "\n";
   }
   text += verdict_of(course) + "\n";

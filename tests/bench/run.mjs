@@ -5,6 +5,7 @@ import { debuggerTimes } from "./debugger.mjs";
 import { deploy } from "./deploy.mjs";
 import { door } from "./door.mjs";
 import { environment } from "./environment.mjs";
+import { learning } from "./learn.mjs";
 import { equivalence } from "./equivalence.mjs";
 import { fanout } from "./fanout.mjs";
 import { faults } from "./faults.mjs";
@@ -40,6 +41,7 @@ const benches = {
   door,
   sim,
   environment,
+  learn: learning,
   equivalence,
   soccer,
   realism,

@@ -30,7 +30,8 @@ TEST(Marks, RulesAndStrategyLoseThem) {
 }
 
 TEST(Marks, WithoutMarksNothingChanges) {
-  const Json plain = parsed(R"({"tree": [[{"if": "ball_known", "do": "kick", "with": {"range": 3}}], {"do": "stand"}]})");
+  const Json plain =
+      parsed(R"({"tree": [[{"if": "ball_known", "do": "kick", "with": {"range": 3}}], {"do": "stand"}]})");
   EXPECT_EQ(*without_marks(plain), plain);
 }
 
@@ -63,7 +64,8 @@ TEST(Marks, AMarkedStrategyPlaysLikeAPlainOne) {
 
 TEST(Marks, AFlattenedStrategyHasThoseOfItsBase) {
   const auto flat = flattened(R"({"name": "mine", "based_on": "baseline",
-      "parameters": {"near_ball": {"value": "0.6 m", "learn": [0.2, 1]}}})", "strategy 'mine'");
+      "parameters": {"near_ball": {"value": "0.6 m", "learn": [0.2, 1]}}})",
+                              "strategy 'mine'");
   ASSERT_TRUE(flat) << flat.error();
   EXPECT_FALSE(flat->contains("based_on"));
   EXPECT_EQ((*flat)["parameters"]["near_ball"]["value"], "0.6 m");

@@ -35,7 +35,8 @@ TEST(Arena, PlaysWhatADrillPlays) {
 
 TEST(Arena, TheNumberOfThreadsAndTheLedgerChangeNothing) {
   Ledger first, second;
-  Arena one = *Arena::prepare(kTwoDrills, {.threads = 1}, first), three = *Arena::prepare(kTwoDrills, {.threads = 3}, second);
+  Arena one = *Arena::prepare(kTwoDrills, {.threads = 1}, first),
+        three = *Arena::prepare(kTwoDrills, {.threads = 3}, second);
   const std::vector strategies{strategy("baseline"), strategy("kick_now")};
   const auto scores = *one.play(strategies, 1, 70);
   EXPECT_EQ(scores, *three.play(strategies, 1, 70));
@@ -145,7 +146,8 @@ TEST(Practice, ShuffledScoresBelongToNobody) {
   EXPECT_TRUE(is_sure(arena.gain_of(plain[1], plain[0])));
   const contest::Mean gain = arena.gain_of(dealt[1], dealt[0]);
   EXPECT_LT(std::abs(gain.mean), 3 * gain.error);
-  EXPECT_EQ(successes_in(plain[0][0]) + successes_in(plain[1][0]), successes_in(dealt[0][0]) + successes_in(dealt[1][0]));
+  EXPECT_EQ(successes_in(plain[0][0]) + successes_in(plain[1][0]),
+            successes_in(dealt[0][0]) + successes_in(dealt[1][0]));
 }
 
 TEST(Practice, ManyTestsTogetherAskForMore) {

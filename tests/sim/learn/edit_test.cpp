@@ -25,8 +25,14 @@ const Json kOther = Json::parse(R"([
 ])");
 
 Layer kicks() {
-  return {.name = "kick", .about = "", .skills = {"kick", "dribble"}, .leaves = {"kick", "dribble"}, .features = {}, .conditions = {},
-          .actions = {R"({"do": "dribble"})", R"({"do": "kick", "with": {"range": "$far"}})"}, .exercises = {}};
+  return {.name = "kick",
+          .about = "",
+          .skills = {"kick", "dribble"},
+          .leaves = {"kick", "dribble"},
+          .features = {},
+          .conditions = {},
+          .actions = {R"({"do": "dribble"})", R"({"do": "kick", "with": {"range": "$far"}})"},
+          .exercises = {}};
 }
 
 void expect_plays(const Json& strategy) {
@@ -81,7 +87,8 @@ TEST(Edit, ALeafWithoutConditionIsSplitByARuleBeforeIt) {
 TEST(Edit, OnlyARuleThatAnotherFollowsCanGo) {
   Json tree = kTree;
   tree["tree"] = kOther;
-  tree["subtrees"] = Json::parse(R"({"rest": [{"if": "ball_distance < $near", "do": "kick", "with": {"range": "$far"}}, {"do": "dribble"}]})");
+  tree["subtrees"] = Json::parse(
+      R"({"rest": [{"if": "ball_distance < $near", "do": "kick", "with": {"range": "$far"}}, {"do": "dribble"}]})");
   const auto spare = spare_rules(tree, kicks());
   ASSERT_EQ(spare.size(), 2u);
   EXPECT_EQ(spare[0].pointer, "/tree/1");
@@ -98,7 +105,8 @@ TEST(Edit, UnusedSubtreesGoWithTheSubtreesThatOnlyTheyUsed) {
 }
 
 TEST(Edit, AnActionIsToldInWords) {
-  EXPECT_EQ(words_of(Json::parse(R"({"do": "kick", "with": {"aim": "goal", "care": 0.5}})")), "kick (aim goal, care 0.5)");
+  EXPECT_EQ(words_of(Json::parse(R"({"do": "kick", "with": {"aim": "goal", "care": 0.5}})")),
+            "kick (aim goal, care 0.5)");
   EXPECT_EQ(words_of({{"do", "dribble"}}), "dribble");
 }
 

@@ -17,8 +17,8 @@ TEST(Layer, AllEmbeddedLayersAreRead) {
 }
 
 TEST(Layer, AKnobBelongsToItBySkillOrFeature) {
-  const Layer layer = *parse_layer(R"({"skills": ["kick"], "features": ["ball_age"], "exercises": {"corner": 1}})",
-                                   "layer", "x");
+  const Layer layer =
+      *parse_layer(R"({"skills": ["kick"], "features": ["ball_age"], "exercises": {"corner": 1}})", "layer", "x");
   EXPECT_TRUE(layer.has({.name = "", .place = "", .skills = {"kick"}, .features = {}}));
   EXPECT_TRUE(layer.has({.name = "", .place = "", .skills = {"pass"}, .features = {"ball_age"}}));
   EXPECT_FALSE(layer.has({.name = "", .place = "", .skills = {"pass"}, .features = {"ball_x"}}));
@@ -27,7 +27,8 @@ TEST(Layer, AKnobBelongsToItBySkillOrFeature) {
 TEST(Layer, LeavesThatMayChangeAreThoseOfItsSkillsUnlessItNamesOthers) {
   const Layer own = *parse_layer(R"({"skills": ["kick"], "exercises": {"corner": 1}})", "layer", "x");
   EXPECT_EQ(own.leaves, own.skills);
-  const Layer other = *parse_layer(R"({"skills": ["pass"], "leaves": ["kick"], "exercises": {"corner": 1}})", "layer", "x");
+  const Layer other =
+      *parse_layer(R"({"skills": ["pass"], "leaves": ["kick"], "exercises": {"corner": 1}})", "layer", "x");
   EXPECT_EQ(other.leaves, std::vector<std::string>{"kick"});
 }
 
@@ -44,7 +45,8 @@ TEST(Layer, AWrongOneIsRefusedInASentence) {
     const auto layer = parse_layer(text, "layer 'x'", "x");
     return layer ? std::string("read") : layer.error();
   };
-  EXPECT_NE(error(R"({"skills": ["kik"], "exercises": {"corner": 1}})").find("layer 'x': skills[0]: "), std::string::npos);
+  EXPECT_NE(error(R"({"skills": ["kik"], "exercises": {"corner": 1}})").find("layer 'x': skills[0]: "),
+            std::string::npos);
   EXPECT_EQ(error(R"({"skills": "kick", "exercises": {"corner": 1}})"),
             "layer 'x': skills must be a list of names, got \"kick\"");
   EXPECT_NE(error(R"({"skills": [1], "exercises": {"corner": 1}})").find("skills[0] must be a text, got 1"),

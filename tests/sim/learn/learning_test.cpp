@@ -83,8 +83,7 @@ TEST_F(Striker, ALayerWithoutNumbersLeavesTheStrategyAsItIs) {
 /// A whole run, small enough for a test.
 LearnChoice small_run(const std::filesystem::path& folder) {
   std::ofstream(folder / "clumsy.json") << kClumsy;
-  std::ofstream(folder / "striker.json")
-      << R"({"skills": ["kick", "stand"], "conditions": ["ball_goal_distance"],
+  std::ofstream(folder / "striker.json") << R"({"skills": ["kick", "stand"], "conditions": ["ball_goal_distance"],
              "actions": [{"do": "kick", "with": {"range": "5 m"}}], "exercises": {"empty_goal": 1}})";
   return {.strategy = (folder / "clumsy.json").string(),
           .layers = {(folder / "striker.json").string()},

@@ -12,7 +12,8 @@
 namespace sim::learn {
 namespace {
 
-const std::vector<Score> kScores{{0.1f, true}, {-2, false}, {std::numeric_limits<float>::denorm_min(), true}, {1e30f, false}};
+const std::vector<Score> kScores{
+    {0.1f, true}, {-2, false}, {std::numeric_limits<float>::denorm_min(), true}, {1e30f, false}};
 
 TEST(Ledger, KeepsScoresToTheBit) {
   const tests::TemporaryFolder folder;
@@ -60,9 +61,7 @@ TEST(Ledger, ADamagedLineIsNamed) {
   }
 }
 
-TEST(Ledger, AFolderThatIsNotThereIsAnError) {
-  EXPECT_FALSE(Ledger::open("/nowhere/at/all/ledger.txt"));
-}
+TEST(Ledger, AFolderThatIsNotThereIsAnError) { EXPECT_FALSE(Ledger::open("/nowhere/at/all/ledger.txt")); }
 
 }  // namespace
 }  // namespace sim::learn
