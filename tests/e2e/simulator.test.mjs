@@ -109,7 +109,7 @@ test("wrong usage and wrong input are one sentence and exit status 2", async (t)
     [["match", "--home", "basline"], "foresight-sim: no strategy 'basline'; did you mean 'baseline'?\n"],
     [
       ["match", "--home", "chess"],
-      "foresight-sim: no strategy 'chess'; there are: align_first, all_kicks, baseline, high_line, idle, kick_now, passing, foresight\n",
+      "foresight-sim: no strategy 'chess'; there are: align_first, all_kicks, baseline, high_line, idle, kick_now, learned, passing, foresight\n",
     ],
     [
       ["match", "--away", program],

@@ -93,9 +93,10 @@ TEST(PreparedGame, NamesUnknownParts) {
   EXPECT_EQ(error({.models = {"match", "mach"}}), "no models 'mach'; did you mean 'match'?");
   EXPECT_EQ(error({.strategies = {"basline", "idle"}}), "no strategy 'basline'; did you mean 'baseline'?");
   EXPECT_EQ(error({.strategies = {"idle", "forsight"}}), "no strategy 'forsight'; did you mean 'foresight'?");
-  EXPECT_EQ(error({.strategies = {"chess", "idle"}}),
-            "no strategy 'chess'; there are: align_first, all_kicks, baseline, high_line, idle, kick_now, passing, "
-            "foresight");
+  EXPECT_EQ(
+      error({.strategies = {"chess", "idle"}}),
+      "no strategy 'chess'; there are: align_first, all_kicks, baseline, high_line, idle, kick_now, learned, passing, "
+      "foresight");
   EXPECT_EQ(error({.players = 8}), "players must be 1 .. 7 a side, got 8");
 }
 

@@ -22,7 +22,7 @@ std::string refusal_of_tree(const std::string& tree) { return refusal(R"({"name"
 
 TEST(Strategy, EachShippedStrategyLoadsByItsName) {
   const auto names = names_of("strategies");
-  EXPECT_EQ(listed(names), "align_first, all_kicks, baseline, high_line, idle, kick_now, passing");
+  EXPECT_EQ(listed(names), "align_first, all_kicks, baseline, high_line, idle, kick_now, learned, passing");
   for (const std::string_view name : names) {
     const auto behaviour = load_strategy(std::string(name));
     ASSERT_TRUE(behaviour) << behaviour.error();
