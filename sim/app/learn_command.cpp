@@ -94,9 +94,6 @@ class LearnCommand final : public Command {
     choice_.layers = list(layers_), choice_.world.opponents = list(opponents_), choice_.unseen = list(unseen_);
     if (choice_.layers.empty()) return "--layers must name at least one layer";
     if (choice_.world.opponents.empty()) return "--opponents must name at least one behaviour";
-    for (const std::string& name : choice_.unseen)
-      if (std::ranges::find(choice_.world.opponents, name) != choice_.world.opponents.end())
-        return "--unseen must name behaviours that are not in --opponents, got '" + name + "'";
     int used = 0;
     char unit = 'm';
     const int read = std::sscanf(budget_.c_str(), "%lf%n%c%n", &choice_.minutes, &used, &unit, &used);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "robot/core/json_library.h"
 #include "sim/agent/tree.h"
@@ -200,6 +201,8 @@ Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::u
     else
       open.push_back(&task);
   }
+  std::mutex lock;
+  std::string problem;
   const int open_count = static_cast<int>(open.size());
   contest::for_each_game(
       open_count, std::min(threads_, std::max(1, open_count)),
@@ -208,12 +211,14 @@ Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::u
         const agent::Behaviour& strategy = *trees[task.strategy];
         const Exercise& exercise = exercises_[task.exercise];
         exercise.is_game ? play_matches(exercise, strategy, task) : play_drill(exercise, strategy, task);
+        // at once, so that a kill loses no more than the tasks that are played
+        const std::lock_guard guard(lock);
+        if (auto added = ledger_->add(task.key, task.scores); !added && problem.empty()) problem = added.error();
       },
       [&](int done) {
         if (progress) progress(done, open_count);
       });
-  for (const Task* task : open)
-    if (auto added = ledger_->add(task->key, task->scores); !added) return added.failure();
+  if (!problem.empty()) return robot::Error{problem};
   for (const Task& task : tasks) std::ranges::copy(task.scores, all[task.strategy][task.exercise].begin() + task.from);
   return all;
 }

@@ -31,6 +31,7 @@ constexpr double kGrown = 0.3;              // for its structure
 constexpr double kGuarded = 0.2;            // for whole games before and after
 constexpr int kGenerations = 24;
 constexpr std::int64_t kUnseenPairs = 300;
+constexpr double kWorse = 0.2;  // [goals a game] against an unseen opponent, the tree is surely not worse by this
 
 /// A folder for the files of a run: the one that was chosen, or one that goes with the run.
 class Place {
@@ -61,21 +62,49 @@ class Place {
   bool kept_ = false;
 };
 
-/// Returns all that settles the run, as text.
+/// Returns the hash of a description's text; of a name with changes behind commas, that of the name.
+std::string hash_of_source(const char* kind, const std::string& name) {
+  const Result<io::Source> source = io::find_source(kind, kind, name);
+  return hex(hash_of_text(source ? source->text : name));
+}
+
+Json hashes_of(const char* kind, const std::vector<std::string>& names) {
+  Json hashes = Json::object();
+  for (const std::string& name : names) hashes[name] = hash_of_source(kind, name);
+  return hashes;
+}
+
+/// Returns all that settles the run, as text: names, and hashes of what they stand for.
 std::string specification_of(const LearnChoice& choice, const Json& start, const std::vector<Layer>& layers) {
-  Json json = {{"format", 1},
-               {"strategy", hex(hash_of_text(start.dump()))},
-               {"layers", Json::array()},
-               {"minutes", choice.minutes},
-               {"seed", choice.seed},
-               {"rules", choice.world.rules},
-               {"models", choice.world.models},
-               {"opponents", choice.world.opponents},
-               {"unseen", choice.unseen},
-               {"robust", choice.world.robust},
-               {"shuffled", choice.shuffled}};
-  for (const Layer& layer : layers) json["layers"].push_back(layer.name);
+  std::vector<std::string> drills;
+  for (const Layer& layer : layers)
+    for (const auto& [name, weight] : layer.exercises)
+      if (name != kGame) drills.push_back(name);
+  const Json json = {{"format", 2},
+                     {"strategy", hex(hash_of_text(start.dump()))},
+                     {"layers", hashes_of("layers", choice.layers)},
+                     {"drills", hashes_of("drills", drills)},
+                     {"minutes", choice.minutes},
+                     {"seed", choice.seed},
+                     {"rules", choice.world.rules},
+                     {"models", choice.world.models},
+                     {"opponents", hashes_of("strategies", choice.world.opponents)},
+                     {"unseen", hashes_of("strategies", choice.unseen)},
+                     {"robust", choice.world.robust},
+                     {"shuffled", choice.shuffled},
+                     {"wanted", choice.wanted},
+                     {"most_pairs", choice.most_pairs}};
   return json.dump(2) + "\n";
+}
+
+/// Returns the sentence against an unseen opponent that the run meets, perhaps under another name; or "".
+std::string met_before(const LearnChoice& choice) {
+  for (const std::string& unseen : choice.unseen)
+    for (const std::string& opponent : choice.world.opponents)
+      if (hash_of_source("strategies", unseen) == hash_of_source("strategies", opponent))
+        return "the gate's opponents must be others than those of practice, got '" + unseen + "', which is '" +
+               opponent + "'";
+  return "";
 }
 
 /// Begins the run in its folder, or goes on with it.
@@ -85,7 +114,8 @@ Result<void> claim(const std::filesystem::path& file, const std::string& specifi
   const auto there = robot::read_file(file, 1 << 20);
   if (!there) return there.failure();
   if (*there == specification) return {};
-  return Error{file.string() + ": expected the same strategy, layers, budget, seed and world as before, got others"};
+  return Error{file.string() +
+               ": expected the same strategy, layers, drills, budget, seed and opponents as before, got others"};
 }
 
 constexpr std::string_view kArrow = " → ";
@@ -259,7 +289,7 @@ class Learning {
       if (!outcome) return outcome.failure();
       Against against{.opponent = opponent, .outcome = *std::move(outcome)};
       against.passed = opponent.empty() ? against.outcome.verdict == compare::Verdict::better
-                                        : compare::gain_per_game(against.outcome.tally).high >= 0;
+                                        : compare::gain_per_game(against.outcome.tally).low > -kWorse;
       course_.better = course_.better && against.passed;
       course_.gate.push_back(std::move(against));
     }
@@ -290,6 +320,7 @@ Result<Course> learn(const LearnChoice& choice, const Tell& tell) {
     if (!layer) return layer.failure();
     layers.push_back(*std::move(layer));
   }
+  if (const std::string wrong = met_before(choice); !wrong.empty()) return Error{wrong};
   auto place = Place::open(choice.folder);
   if (!place) return place.failure();
   if (!choice.folder.empty())

@@ -21,7 +21,7 @@ struct Score {
   friend bool operator==(const Score&, const Score&) = default;
 };
 
-/// The results by the hash of what was played. A run without a folder keeps them in memory only. Used by one thread.
+/// The results by the hash of what was played. A run without a folder keeps them in memory only. Used by one thread at a time.
 class Ledger {
  public:
   /// Reads the ledger in `file`, or begins it; an empty path keeps everything in memory. Drops a last line that a kill cut

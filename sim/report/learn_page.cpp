@@ -19,10 +19,11 @@ constexpr const char* kLearnStyle = R"(
 h2 { font-size: 18px; margin: 26px 0 4px; } .soft { color: var(--soft); } .verdict { font-size: 22px; margin: 10px 0; }
 .card { padding: 10px 16px; overflow-x: auto; } ul { padding-left: 20px; margin: 6px 0; }
 th, td { padding: 3px 16px 3px 0; text-align: right; white-space: nowrap; }
-th:first-child, td:first-child { text-align: left; } .sure { font-weight: 600; }
-svg { display: block; max-width: 640px; width: 100%; } .training { stroke: var(--orange); fill: none; stroke-width: 2; }
+th:first-child, td:first-child { text-align: left; } .sure { font-weight: 600; } .worse { font-weight: 600; color: var(--bad); }
+svg { display: block; max-width: 640px; width: 100%; } svg text { fill: var(--soft); font-size: 11px; } circle.end { stroke: none; } circle.training { fill: var(--open); }
+circle.held { fill: var(--blue); } .card + .card { margin-top: 10px; } .training { stroke: var(--open); fill: none; stroke-width: 2; }
 .held { stroke: var(--blue); fill: none; stroke-width: 2.5; } .band { fill: var(--blue); opacity: 0.18; }
-.zero { stroke: var(--line); } .legend b { font-weight: 600; } .legend .t { color: var(--orange); }
+.zero { stroke: var(--line); } .legend b { font-weight: 600; } .legend .t { color: var(--open); }
 .legend .h { color: var(--blue); }
 )";
 
@@ -45,10 +46,16 @@ std::string sentence_of(const Against& against) {
                                             : "worse");
 }
 
+/// Returns whether an exercise surely became worse.
+bool is_worse(const Lesson::Success& success) {
+  return learn::is_sure({.mean = -success.gain.mean, .error = success.gain.error});
+}
+
 std::string success_line(const Lesson::Success& success) {
-  return formatted("%-32s %5.1f %% → %5.1f %%   %+.1f ± %.1f of %d", success.exercise.c_str(),
+  return formatted("%-32s %5.1f %% → %5.1f %%   %+.1f ± %.1f of %d%s", success.exercise.c_str(),
                    percent(success.before, success.attempts), percent(success.after, success.attempts),
-                   100 * success.gain.mean, 100 * learn::kSure * success.gain.error, success.attempts);
+                   100 * success.gain.mean, 100 * learn::kSure * success.gain.error, success.attempts,
+                   is_worse(success) ? "  WORSE" : "");
 }
 
 /// Draws the gain of the mean on held-out seeds, and that of the best candidate on its own seeds.
@@ -66,7 +73,7 @@ std::string curve_svg(const std::vector<CurvePoint>& curve) {
   }
   Plot plot(0, curve.back().generation, least, 1.1 * most);
   plot.band("band", x, low, high);
-  plot.line("zero", {{0, 0}, {static_cast<double>(curve.back().generation), 0}});
+  plot.level("zero", 0, "");
   plot.line("training", training);
   plot.line("held", held);
   return plot.svg("gain over the start by generation", "generation");
@@ -83,7 +90,10 @@ std::string successes_table(const Lesson& lesson) {
   for (const Lesson::Success& success : lesson.successes)
     table += formatted("<tr><td>%s</td><td>%.1f %%</td><td>%.1f %%</td><td%s>%+.1f ± %.1f</td><td>%d</td></tr>",
                        escaped(success.exercise).c_str(), percent(success.before, success.attempts),
-                       percent(success.after, success.attempts), learn::is_sure(success.gain) ? " class=\"sure\"" : "",
+                       percent(success.after, success.attempts),
+                       is_worse(success)              ? " class=\"worse\""
+                       : learn::is_sure(success.gain) ? " class=\"sure\""
+                                                      : "",
                        100 * success.gain.mean, 100 * learn::kSure * success.gain.error, success.attempts);
   return table + "</table>";
 }
@@ -159,13 +169,14 @@ Json learn_json(const Course& course) {
 }
 
 std::string learn_page(const Course& course) {
-  std::string body = "<p class=\"verdict\">" + escaped(verdict_of(course)) + "</p>";
+  const std::string title = "Learned from " + course.start.value("name", std::string("a tree"));
+  std::string body = "<h1>" + escaped(title) + "</h1><p class=\"verdict\">" + escaped(verdict_of(course)) + "</p>";
   std::vector<std::string> answers;
   for (const Against& against : course.gate) answers.push_back(sentence_of(against));
   body += list_of(answers);
   if (!course.changes.empty()) body += "<h2>What changed</h2>" + list_of(course.changes);
   for (const Lesson& lesson : course.lessons) body += lesson_section(lesson);
-  return html_page("Learned from " + course.start.value("name", std::string("a tree")), kLearnStyle, body);
+  return html_page(title, kLearnStyle, body);
 }
 
 }  // namespace sim::report

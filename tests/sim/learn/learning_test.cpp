@@ -127,16 +127,30 @@ TEST(Learning, AFolderOfAnotherRunIsRefused) {
   LearnChoice choice = small_run(folder.path());
   choice.folder = folder.path() / "run";
   ASSERT_TRUE(learn(choice, kSilent));
+  // a layer that was edited meanwhile is another one
+  const std::string layer = *robot::read_file(choice.layers[0], 1 << 20);
+  std::ofstream(choice.layers[0]) << layer << " ";
+  EXPECT_FALSE(learn(choice, kSilent));
+  std::ofstream(choice.layers[0]) << layer;
+  EXPECT_TRUE(learn(choice, kSilent));
   choice.seed = 5;
   const auto other = learn(choice, kSilent);
   ASSERT_FALSE(other);
-  EXPECT_NE(other.error().find("expected the same strategy, layers, budget, seed and world as before"),
+  EXPECT_NE(other.error().find("expected the same strategy, layers, drills, budget, seed and opponents as before"),
             std::string::npos);
 }
 
 TEST(Learning, WrongNamesAreSentences) {
   EXPECT_NE(learn({.strategy = "baselin", .layers = {"kick"}}, kSilent).error().find("baseline"), std::string::npos);
   EXPECT_NE(learn({.strategy = "baseline", .layers = {"kik"}}, kSilent).error().find("kick"), std::string::npos);
+}
+
+TEST(Learning, AnOpponentOfPracticeIsNotUnseen) {
+  const robot::Result<Course> course =
+      learn({.strategy = "baseline", .layers = {"kick"}, .world = {.opponents = {"kick_now"}}, .unseen = {"kick_now"}},
+            kSilent);
+  ASSERT_FALSE(course);
+  EXPECT_NE(course.error().find("must be others than those of practice, got 'kick_now'"), std::string::npos);
 }
 
 TEST(Learning, TheBudgetIsGamesAndNotTime) {
