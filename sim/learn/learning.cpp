@@ -102,8 +102,8 @@ std::string met_before(const LearnChoice& choice) {
   for (const std::string& unseen : choice.unseen)
     for (const std::string& opponent : choice.world.opponents)
       if (hash_of_source("strategies", unseen) == hash_of_source("strategies", opponent))
-        return "the gate's opponents must be others than those of practice, got '" + unseen + "', which is '" +
-               opponent + "'";
+        return robot::formatted("the gate's opponents must be others than those of practice, got '%s', which is '%s'",
+                                unseen.c_str(), opponent.c_str());
   return "";
 }
 
