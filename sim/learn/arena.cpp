@@ -7,7 +7,6 @@
 #include "robot/core/json_library.h"
 #include "sim/agent/tree.h"
 #include "sim/drills/trials.h"
-#include "sim/io/chooser.h"
 #include "sim/io/matchup.h"
 #include "sim/io/strategy.h"
 #include "sim/learn/layer.h"
@@ -163,8 +162,7 @@ double Arena::cost_of(int count) const {
   return seconds;
 }
 
-Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::uint64_t first_seed, int count,
-                                        const std::function<void(int, int)>& progress) {
+Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::uint64_t first_seed, int count) {
   std::vector<std::unique_ptr<agent::TreeBehaviour>> trees;
   std::vector<Scores> all;
   std::vector<Task> tasks;
@@ -203,21 +201,15 @@ Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::u
   }
   std::mutex lock;
   std::string problem;
-  const int open_count = static_cast<int>(open.size());
-  contest::for_each_game(
-      open_count, std::min(threads_, std::max(1, open_count)),
-      [&](int index) {
-        Task& task = *open[static_cast<std::size_t>(index)];
-        const agent::Behaviour& strategy = *trees[task.strategy];
-        const Exercise& exercise = exercises_[task.exercise];
-        exercise.is_game ? play_matches(exercise, strategy, task) : play_drill(exercise, strategy, task);
-        // at once, so that a kill loses no more than the tasks that are played
-        const std::lock_guard guard(lock);
-        if (auto added = ledger_->add(task.key, task.scores); !added && problem.empty()) problem = added.error();
-      },
-      [&](int done) {
-        if (progress) progress(done, open_count);
-      });
+  contest::for_each_game(static_cast<int>(open.size()), threads_, [&](int index) {
+    Task& task = *open[static_cast<std::size_t>(index)];
+    const agent::Behaviour& strategy = *trees[task.strategy];
+    const Exercise& exercise = exercises_[task.exercise];
+    exercise.is_game ? play_matches(exercise, strategy, task) : play_drill(exercise, strategy, task);
+    // at once, so that a kill loses no more than the tasks that are played
+    const std::lock_guard guard(lock);
+    if (auto added = ledger_->add(task.key, task.scores); !added && problem.empty()) problem = added.error();
+  });
   if (!problem.empty()) return robot::Error{problem};
   for (const Task& task : tasks) std::ranges::copy(task.scores, all[task.strategy][task.exercise].begin() + task.from);
   return all;

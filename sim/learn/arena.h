@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,9 +39,8 @@ class Arena {
 
   /// Plays each exercise with each strategy, on `count` seeds from `first_seed` on; of whole games, a quarter of that.
   /// A strategy's scores depend on nothing but itself, the seeds and the world. Results in the ledger are not played again.
-  /// Calls `progress` with the number of finished tasks and of all. The Error of a strategy that cannot play names it.
-  robot::Result<std::vector<Scores>> play(std::span<const io::Json> strategies, std::uint64_t first_seed, int count,
-                                          const std::function<void(int, int)>& progress = {});
+  /// The Error of a strategy that cannot play names it.
+  robot::Result<std::vector<Scores>> play(std::span<const io::Json> strategies, std::uint64_t first_seed, int count);
 
   /// Returns the weighted mean of the exercises' mean points.
   double value_of(const Scores& scores) const;
@@ -50,7 +48,6 @@ class Arena {
   contest::Mean gain_of(const Scores& a, const Scores& b) const;
   int threads() const { return threads_; }
   std::size_t size() const { return exercises_.size(); }
-  const std::string& name_of(std::size_t exercise) const { return exercises_[exercise].name; }
   /// Returns the number of attempts that `count` seeds give at an exercise.
   int attempts_of(std::size_t exercise, int count) const;
   /// Returns the simulated seconds of `count` seeds, an estimate.

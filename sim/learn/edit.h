@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/core/json_library.h"
 #include "sim/io/json.h"
 #include "sim/learn/layer.h"
 

@@ -12,7 +12,6 @@
 #include "robot/core/text.h"
 #include "sim/io/source.h"
 #include "sim/io/strategy.h"
-#include "sim/io/variation.h"
 #include "sim/learn/edit.h"
 #include "sim/learn/growing.h"
 #include "sim/learn/tuning.h"

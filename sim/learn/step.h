@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/core/json_library.h"
 #include "sim/contest/series.h"
 #include "sim/io/json.h"
 #include "sim/learn/arena.h"
