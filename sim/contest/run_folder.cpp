@@ -21,12 +21,6 @@ using robot::Error;
 
 constexpr std::size_t kMaxBytes = 1 << 20;
 
-std::string hash_of_text(const std::string& text) {
-  Hash hash;
-  for (const char c : text) hash.add(static_cast<unsigned char>(c));
-  return hex(hash.value());
-}
-
 Json to_json(const compare::Pair& pair) {
   Json json = Json::array();
   for (const compare::GameResult& game : pair.games)
@@ -63,7 +57,7 @@ robot::Result<RunFolder> RunFolder::open(const std::filesystem::path& folder, co
   std::filesystem::create_directories(folder, failed);
   if (failed) return Error{"run " + folder.string() + ": " + failed.message()};
   const std::filesystem::path file = folder / "run.json";
-  RunFolder run(folder, hash_of_text(specification));
+  RunFolder run(folder, hex(hash_of_text(specification)));
   if (auto locked = run.lock(use); !locked) return locked.failure();
   if (!std::filesystem::exists(file, failed)) {
     if (auto written = robot::replace_file(file, specification + "\n"); !written) return written.failure();
@@ -106,7 +100,7 @@ robot::Result<std::vector<compare::Pair>> RunFolder::read(std::int64_t block) co
     const Json json = Json::parse(*text);
     if (json.at("run") != run_) return refused("belongs to another run, or to another build of it");
     if (json.at("block") != block) return refused("is another block than its name says");
-    if (json.at("hash") != hash_of_text(json.at("pairs").dump())) return refused("its pairs do not have its hash");
+    if (json.at("hash") != hex(hash_of_text(json.at("pairs").dump()))) return refused("its pairs do not have its hash");
     std::vector<compare::Pair> pairs;
     for (const Json& pair : json.at("pairs")) pairs.push_back(pair_of(pair));
     if (pairs.size() != kPairsPerBlock) return refused("holds another number of pairs than a block has");
@@ -144,7 +138,7 @@ robot::Result<void> RunFolder::write_result(const std::string& json) const {
 robot::Result<void> RunFolder::write(std::int64_t block, const std::vector<compare::Pair>& pairs) const {
   Json list = Json::array();
   for (const compare::Pair& pair : pairs) list.push_back(to_json(pair));
-  const Json json = {{"run", run_}, {"block", block}, {"hash", hash_of_text(list.dump())}, {"pairs", list}};
+  const Json json = {{"run", run_}, {"block", block}, {"hash", hex(hash_of_text(list.dump()))}, {"pairs", list}};
   return robot::replace_file(path_of(block), json.dump() + "\n");
 }
 

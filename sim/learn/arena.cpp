@@ -125,12 +125,6 @@ std::size_t variant_of(int attempt, int attempts, std::size_t variants) {
   return variant;
 }
 
-std::uint64_t hash_of_text(std::string_view text) {
-  Hash hash;
-  for (const char c : text) hash.add(static_cast<unsigned char>(c));
-  return hash.value();
-}
-
 Result<Arena> Arena::prepare(const std::vector<std::pair<std::string, double>>& exercises, const World& world,
                              Ledger& ledger) {
   Arena arena(ledger, world.threads);

@@ -87,7 +87,4 @@ int successes_in(const std::vector<Score>& scores);
 /// Returns the gain of `b` over `a` in the share of successes, on the same seeds.
 contest::Mean success_gain(const std::vector<Score>& a, const std::vector<Score>& b);
 
-/// Returns the hash of a text.
-std::uint64_t hash_of_text(std::string_view text);
-
 }  // namespace sim::learn

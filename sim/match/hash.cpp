@@ -4,6 +4,12 @@
 
 namespace sim {
 
+std::uint64_t hash_of_text(std::string_view text) {
+  Hash hash;
+  for (const char c : text) hash.add(static_cast<unsigned char>(c));
+  return hash.value();
+}
+
 std::uint64_t hash_of(const State& state) {
   Hash hash;
   visit_fields(state, [&](const FieldPath&, auto field) { hash.add(bits_of(field)); });

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "sim/match/state.h"
 
@@ -27,6 +28,9 @@ class Hash {
  private:
   std::uint64_t hash_ = 0x243f6a8885a308d3u;  // digits of π
 };
+
+/// Returns the hash of a text's bytes.
+std::uint64_t hash_of_text(std::string_view text);
 
 /// Returns the hash of the bits of every field of a state.
 std::uint64_t hash_of(const State& state);
