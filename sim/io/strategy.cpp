@@ -103,7 +103,13 @@ Result<Json> whole_of(const Json& own, const std::string& called, int bases) {
   return merged(*base, own);
 }
 
-Result<agent::Tree> parse_upon(std::string_view text, const std::string& called, const Json& parameters) {
+/// A description, and the same with all its bases.
+struct Described {
+  Json own, whole;
+};
+
+/// Reads a description. `parameters` replace its own ones.
+Result<Described> described(std::string_view text, const std::string& called, const Json& parameters) {
   if (text.size() > kMaxFileBytes)
     return Error{called + ": must have at most " + std::to_string(kMaxFileBytes) + " bytes, got " +
                  std::to_string(text.size())};
@@ -111,9 +117,15 @@ Result<agent::Tree> parse_upon(std::string_view text, const std::string& called,
   if (!own) return own.failure();
   // a changed parameter must exist; otherwise a typing mistake would pass
   if (!parameters.empty()) own = merged(std::move(*own), Json{{"parameters", parameters}});
-  const Result<Json> whole = whole_of(*own, called, 0);
+  Result<Json> whole = whole_of(*own, called, 0);
   if (!whole) return whole.failure();
-  return compiled(*whole, *own, called);
+  return Described{*std::move(own), *std::move(whole)};
+}
+
+Result<agent::Tree> parse_upon(std::string_view text, const std::string& called, const Json& parameters) {
+  const Result<Described> strategy = described(text, called, parameters);
+  if (!strategy) return strategy.failure();
+  return compiled(strategy->whole, strategy->own, called);
 }
 
 }  // namespace
@@ -129,13 +141,12 @@ Result<agent::Tree> parse_menu(const Json& strategy, const std::string& called) 
 }
 
 Result<Json> flattened(std::string_view text, const std::string& called) {
-  const Result<Json> own = parse_object(text, called);
-  if (!own) return own;
-  Result<Json> whole = whole_of(*own, called, 0);
-  if (!whole) return whole;
-  if (const Result<agent::Tree> checked = compiled(*whole, *own, called); !checked) return checked.failure();
-  whole->erase("based_on");
-  return whole;
+  Result<Described> strategy = described(text, called, Json::object());
+  if (!strategy) return strategy.failure();
+  if (const Result<agent::Tree> checked = compiled(strategy->whole, strategy->own, called); !checked)
+    return checked.failure();
+  strategy->whole.erase("based_on");
+  return std::move(strategy->whole);
 }
 
 Result<std::unique_ptr<agent::TreeBehaviour>> load_strategy(const std::string& name) {
