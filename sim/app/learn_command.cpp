@@ -5,7 +5,6 @@
 
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
-#include "robot/core/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/progress.h"
 #include "sim/contest/series.h"
@@ -22,9 +21,12 @@ class LearnCommand final : public Command {
  public:
   explicit LearnCommand(CLI::App& app)
       : Command(app.add_subcommand("learn", "improve a decision tree layer by layer, and prove it")) {
+    choice_.layers = {"follow", "kick", "pass", "role"};
+    choice_.world.opponents = {"baseline", "high_line"}, choice_.unseen = {"align_first", "passing"};
     options().add_option("strategy", choice_.strategy, "name or file of the tree to begin with")->required();
     options()
-        .add_option("--layers", layers_, "names or files of layers, from the lowest on, behind commas")
+        .add_option("--layers", choice_.layers, "names or files of layers, from the lowest on, behind commas")
+        ->delimiter(',')
         ->capture_default_str();
     options()
         .add_option("--budget", budget_,
@@ -37,9 +39,14 @@ class LearnCommand final : public Command {
         .add_option("--seed", choice_.seed, "seed of the run; the same seed gives the same tree")
         ->check(CLI::Range(std::uint64_t{0}, learn::Seeds::kMostRun))
         ->capture_default_str();
-    options().add_option("--opponents", opponents_, "opponents of whole games, behind commas")->capture_default_str();
     options()
-        .add_option("--unseen", unseen_, "opponents that only the gate plays, behind commas; the tree may not be worse")
+        .add_option("--opponents", choice_.world.opponents, "opponents of whole games, behind commas")
+        ->delimiter(',')
+        ->capture_default_str();
+    options()
+        .add_option("--unseen", choice_.unseen,
+                    "opponents that only the gate plays, behind commas; the tree may not be worse")
+        ->delimiter(',')
         ->capture_default_str();
     options().add_option("--rules", choice_.world.rules, "rules of whole games")->capture_default_str();
     options().add_option("--models", choice_.world.models, "models of whole games")->capture_default_str();
@@ -72,26 +79,21 @@ class LearnCommand final : public Command {
       });
     }();
     if (!course) return fail(course.error());
-    const io::Json json = report::learn_json(*course);
+    // first of all: a file that cannot be written must not cost the answer
+    std::fputs(json_ ? (report::learn_json(*course).dump(2) + "\n").c_str() : report::learn_text(*course).c_str(),
+               stdout);
     if (!out_.empty())
       if (const auto written = robot::replace_file(out_, io::printed(course->learned) + "\n"); !written)
         return fail(written.error());
     if (!html_.empty())
       if (const auto written = robot::replace_file(html_, report::learn_page(*course)); !written)
         return fail(written.error());
-    std::fputs(json_ ? (json.dump(2) + "\n").c_str() : report::learn_text(*course).c_str(), stdout);
     return course->better ? kDone : kNotBetter;
   }
 
  private:
   std::string read_words() {
-    const auto list = [](const std::string& text) {
-      std::vector<std::string> names;
-      for (const std::string_view name : robot::split(text, ","))
-        if (!robot::trimmed(name).empty()) names.emplace_back(robot::trimmed(name));
-      return names;
-    };
-    choice_.layers = list(layers_), choice_.world.opponents = list(opponents_), choice_.unseen = list(unseen_);
+    for (auto* const names : {&choice_.layers, &choice_.world.opponents, &choice_.unseen}) std::erase(*names, "");
     if (choice_.layers.empty()) return "--layers must name at least one layer";
     if (choice_.world.opponents.empty()) return "--opponents must name at least one behaviour";
     int used = 0;
@@ -108,8 +110,7 @@ class LearnCommand final : public Command {
   }
 
   learn::LearnChoice choice_;
-  std::string layers_ = "follow,kick,pass,role", budget_ = "10m", out_, html_, opponents_ = "baseline,high_line",
-              unseen_ = "align_first,passing";
+  std::string budget_ = "10m", out_, html_;
   bool json_ = false;
 };
 
