@@ -36,12 +36,12 @@ struct Split {
 };
 
 /// A change that may be an improvement.
-struct Change {
+struct Candidate {
   std::string pointer;  // of the leaf's rule
   Json action;
   std::optional<Split> split;  // absent: the action replaces the leaf's
   double promise = 0;          // [standard errors] of its gain in training
-  std::string words;
+  Change change;
 };
 
 /// The gains of an action at a leaf: one for each attempt at each exercise, with the moment of the first visit.
@@ -154,10 +154,11 @@ class Growing {
       tried += static_cast<int>(leaves[l].alternatives.size());
       if (auto found = find_change(leaves[l], visits, first); !found) return found.failure();
     }
-    std::ranges::stable_sort(changes_, std::ranges::greater{}, &Change::promise);
-    if (changes_.size() > static_cast<std::size_t>(plan_.most)) changes_.resize(static_cast<std::size_t>(plan_.most));
+    std::ranges::stable_sort(candidates_, std::ranges::greater{}, &Candidate::promise);
+    if (candidates_.size() > static_cast<std::size_t>(plan_.most))
+      candidates_.resize(static_cast<std::size_t>(plan_.most));
     learned_.notes.push_back(robot::formatted("%d actions at %zu leaves: %zu changes promise a gain", tried,
-                                              visited_.size(), changes_.size()));
+                                              visited_.size(), candidates_.size()));
     return {};
   }
 
@@ -177,16 +178,19 @@ class Growing {
       strategies.push_back(with_action(learned_.strategy, leaf.pointer, action));
     const auto scores = practice_.play_on(strategies, first, plan_.attempts);
     if (!scores) return scores.failure();
-    Change best;
+    Candidate best;
     for (std::size_t a = 0; a < leaf.alternatives.size(); ++a) {
       const Gains gains = gains_of((*scores)[0], (*scores)[a + 1], visits, leaf.pointer);
       auto [split, promise] = best_split(gains, features_);
       if (promise <= best.promise) continue;
-      best = {leaf.pointer, leaf.alternatives[a], split, promise, ""};
-      best.words = leaf.name + ": " + words_of(leaf.action) + " → " + words_of(best.action) +
-                   (split ? " when " + text_of(*split) : "");
+      best = {leaf.pointer,
+              leaf.alternatives[a],
+              split,
+              promise,
+              {leaf.name, words_of(leaf.action), words_of(leaf.alternatives[a])}};
+      if (split) best.change.after += " when " + text_of(*split);
     }
-    if (best.promise > kPromising) changes_.push_back(std::move(best));
+    if (best.promise > kPromising) candidates_.push_back(std::move(best));
     return {};
   }
 
@@ -208,23 +212,22 @@ class Growing {
   /// Tests each change on seeds of its own, upon those that are kept. One leaf has one change, so pointers stay valid but
   /// for those behind a new rule in the same list: the changes go from the last rule to the first.
   Result<void> test_changes() {
-    const int tests = static_cast<int>(changes_.size());
-    std::ranges::stable_sort(changes_, std::ranges::greater{},
-                             [](const Change& change) { return place_in_list(change.pointer); });
+    const int tests = static_cast<int>(candidates_.size());
+    std::ranges::stable_sort(candidates_, std::ranges::greater{},
+                             [](const Candidate& candidate) { return place_in_list(candidate.pointer); });
     for (int i = 0; i < tests; ++i) {
       practice_.tell("testing changes", static_cast<double>(i) / tests);
-      const Change& change = changes_[static_cast<std::size_t>(i)];
-      const Json changed = change.split
-                               ? with_split(learned_.strategy, change.pointer, text_of(*change.split), change.action)
-                               : with_action(learned_.strategy, change.pointer, change.action);
+      const auto& [pointer, action, split, promise, change] = candidates_[static_cast<std::size_t>(i)];
+      const Json changed = split ? with_split(learned_.strategy, pointer, text_of(*split), action)
+                                 : with_action(learned_.strategy, pointer, action);
       const auto gain = tested(changed);
       if (!gain) return gain.failure();
       const bool kept = is_sure(*gain, tests);
-      learned_.notes.push_back(robot::formatted("%s: gain %+.3f ± %.3f%s", change.words.c_str(), gain->mean,
+      learned_.notes.push_back(robot::formatted("%s: gain %+.3f ± %.3f%s", text_of(change).c_str(), gain->mean,
                                                 kSure * gain->error, kept ? "" : ", not kept"));
       if (!kept) continue;
       learned_.strategy = changed;
-      learned_.changes.push_back(change.words);
+      learned_.changes.push_back(change);
       learned_.gain = *gain;
     }
     return {};
@@ -256,7 +259,7 @@ class Growing {
       learned_.notes.push_back(
           robot::formatted("without %s: gain %+.3f ± %.3f", spare[i].name.c_str(), gain->mean, kSure * gain->error));
       learned_.strategy = pruned;
-      learned_.changes.push_back(spare[i].name + ": removed, worth nothing");
+      learned_.changes.push_back({spare[i].name, "", ""});
     }
     return {};
   }
@@ -266,7 +269,7 @@ class Growing {
   const Practice& practice_;
   const std::vector<std::string> features_;
   std::set<std::string> visited_;  // leaves by pointer
-  std::vector<Change> changes_;
+  std::vector<Candidate> candidates_;
   Learned learned_;
 };
 

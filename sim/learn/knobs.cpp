@@ -222,11 +222,11 @@ Json with_values(Json strategy, std::span<const Knob> knobs, std::span<const flo
   return strategy;
 }
 
-std::vector<std::string> changes(std::span<const Knob> knobs, std::span<const float> values) {
-  std::vector<std::string> lines;
+std::vector<Change> changes(std::span<const Knob> knobs, std::span<const float> values) {
+  std::vector<Change> lines;
   for (std::size_t i = 0; i < knobs.size(); ++i)
     if (values[i] != knobs[i].value)
-      lines.push_back(knobs[i].name + ": " + text_of(knobs[i], knobs[i].value) + " → " + text_of(knobs[i], values[i]));
+      lines.push_back({knobs[i].name, text_of(knobs[i], knobs[i].value), text_of(knobs[i], values[i])});
   return lines;
 }
 

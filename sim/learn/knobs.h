@@ -9,6 +9,7 @@
 #include "robot/core/result.h"
 #include "sim/io/json.h"
 #include "sim/io/values.h"
+#include "sim/learn/change.h"
 
 namespace sim::learn {
 
@@ -39,7 +40,7 @@ std::string text_of(const Knob& knob, float value);
 /// Returns the strategy with other values, one for each knob.
 io::Json with_values(io::Json strategy, std::span<const Knob> knobs, std::span<const float> values);
 
-/// Returns a line for each knob that differs: "near_ball: 0.5 m → 0.62 m".
-std::vector<std::string> changes(std::span<const Knob> knobs, std::span<const float> values);
+/// Returns a change for each knob that differs.
+std::vector<Change> changes(std::span<const Knob> knobs, std::span<const float> values);
 
 }  // namespace sim::learn

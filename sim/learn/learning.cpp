@@ -117,30 +117,6 @@ Result<void> claim(const std::filesystem::path& file, const std::string& specifi
                ": expected the same strategy, layers, drills, budget, seed and opponents as before, got others"};
 }
 
-constexpr std::string_view kArrow = " → ";
-constexpr const char* kRemoved = ": removed, worth nothing";
-
-/// Joins the changes of one number, "x: 1 → 2" and "x: 2 → 3", and drops those of a rule that was removed later.
-std::vector<std::string> joined(const std::vector<std::string>& all) {
-  std::vector<std::string> left;
-  for (const std::string& line : all) {
-    if (line.ends_with(kRemoved)) {
-      const std::string rule = line.substr(0, line.size() - std::string_view(kRemoved).size()) + ": ";
-      std::erase_if(left, [&](const std::string& each) { return each.starts_with(rule); });
-    }
-    const std::size_t arrow = line.find(kArrow), name = line.rfind(": ", arrow);
-    const auto same = std::ranges::find_if(left, [&](const std::string& each) {
-      return arrow != line.npos && each.starts_with(line.substr(0, name + 2)) &&
-             each.ends_with(kArrow.data() + line.substr(name + 2, arrow - name - 2));
-    });
-    if (same == left.end())
-      left.push_back(line);
-    else
-      *same = same->substr(0, same->find(kArrow)) + line.substr(arrow);
-  }
-  return left;
-}
-
 /// The run.
 class Learning {
  public:
@@ -160,7 +136,7 @@ class Learning {
     }
     course_.learned = without_unused(std::move(course_.learned));
     course_.learned["name"] = choice_.name;
-    course_.changes = joined(course_.changes);
+    course_.changes = merged(course_.changes);
     course_.first_test_seed = seeds_.first_of(Purpose::test);
     if (course_.changes.empty()) return std::move(course_);
     if (auto passed = gate(place); !passed) return passed.failure();

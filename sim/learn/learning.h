@@ -38,7 +38,8 @@ struct Budget {
 /// The report of a layer or a seam.
 struct Lesson {
   std::string name, about;
-  std::vector<std::string> changes, notes;
+  std::vector<Change> changes;
+  std::vector<std::string> notes;
   std::vector<CurvePoint> curve;
   /// The success of an exercise on seeds that chose nothing: before and after.
   struct Success {
@@ -58,7 +59,7 @@ struct Against {
 
 struct Course {
   io::Json start, learned;
-  std::vector<std::string> changes;  // of the whole run
+  std::vector<Change> changes;  // of the whole run
   std::vector<Lesson> lessons;
   std::vector<Against> gate;  // none if nothing changed
   bool better = false;        // the gate is passed

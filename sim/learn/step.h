@@ -9,6 +9,7 @@
 #include "sim/contest/series.h"
 #include "sim/io/json.h"
 #include "sim/learn/arena.h"
+#include "sim/learn/change.h"
 #include "sim/learn/seeds.h"
 
 namespace sim::learn {
@@ -41,9 +42,9 @@ struct CurvePoint {
 /// The result of a step.
 struct Learned {
   io::Json strategy;
-  std::vector<std::string> changes;  // a line each; none: the strategy is the one before
-  std::vector<std::string> notes;    // the attempts, a line each
-  contest::Mean gain;                // of the changed strategy on the selection's seeds
+  std::vector<Change> changes;     // empty: the strategy is the one before
+  std::vector<std::string> notes;  // the attempts, a line each
+  contest::Mean gain;              // of the changed strategy on the selection's seeds
   std::vector<CurvePoint> curve;
 };
 

@@ -27,6 +27,12 @@ circle.held { fill: var(--blue); } .card + .card { margin-top: 10px; } .training
 .legend .h { color: var(--blue); }
 )";
 
+std::vector<std::string> lines_of(const std::vector<learn::Change>& changes) {
+  std::vector<std::string> lines;
+  for (const learn::Change& change : changes) lines.push_back(text_of(change));
+  return lines;
+}
+
 double percent(int part, int all) { return all == 0 ? 0 : 100. * part / all; }
 
 /// Returns the verdict as a sentence.
@@ -106,7 +112,7 @@ std::string lesson_section(const Lesson& lesson) {
                "<p class=\"legend soft\">Points gained over the start: <b class=\"h\">the mean</b> on seeds that chose "
                "nothing, with 95 %; <b class=\"t\">the best candidate</b> on the seeds that chose it, which is too "
                "good.</p></div>";
-  if (!lesson.changes.empty()) section += "<p>Changed:</p>" + list_of(lesson.changes);
+  if (!lesson.changes.empty()) section += "<p>Changed:</p>" + list_of(lines_of(lesson.changes));
   return section + "<details><summary>What was tried</summary>" + list_of(lesson.notes) + "</details>";
 }
 
@@ -114,7 +120,7 @@ Json gain_json(const contest::Mean& gain) { return {{"mean", gain.mean}, {"error
 
 Json lesson_json(const Lesson& lesson) {
   Json json = {{"name", lesson.name},
-               {"changes", lesson.changes},
+               {"changes", lines_of(lesson.changes)},
                {"notes", lesson.notes},
                {"curve", Json::array()},
                {"successes", Json::array()}};
@@ -144,18 +150,14 @@ std::string learn_text(const Course& course) {
     text += "\n";
   }
   text += verdict_of(course) + "\n";
-  for (const std::string& change : course.changes) text.append("  ").append(change).append("\n");
+  for (const std::string& change : lines_of(course.changes)) text.append("  ").append(change).append("\n");
   for (const Against& against : course.gate) text.append("  ").append(sentence_of(against)).append("\n");
   return text;
 }
 
 Json learn_json(const Course& course) {
-  Json json = {{"better", course.better},
-               {"changes", course.changes},
-               {"lessons", Json::array()},
-               {"gate", Json::array()},
-               {"first_test_seed", course.first_test_seed},
-               {"strategy", course.learned}};
+  Json json = {{"better", course.better}, {"changes", lines_of(course.changes)},       {"lessons", Json::array()},
+               {"gate", Json::array()},   {"first_test_seed", course.first_test_seed}, {"strategy", course.learned}};
   for (const Lesson& lesson : course.lessons) json["lessons"].push_back(lesson_json(lesson));
   for (const Against& against : course.gate) {
     const compare::Interval gain = compare::gain_per_game(against.outcome.tally);
@@ -174,7 +176,7 @@ std::string learn_page(const Course& course) {
   std::vector<std::string> answers;
   for (const Against& against : course.gate) answers.push_back(sentence_of(against));
   body += list_of(answers);
-  if (!course.changes.empty()) body += "<h2>What changed</h2>" + list_of(course.changes);
+  if (!course.changes.empty()) body += "<h2>What changed</h2>" + list_of(lines_of(course.changes));
   for (const Lesson& lesson : course.lessons) body += lesson_section(lesson);
   return html_page(title, kLearnStyle, body);
 }

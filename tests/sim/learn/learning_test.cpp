@@ -46,7 +46,8 @@ TEST_F(Striker, LearnsAnotherActionWhereItStood) {
   const auto grown = grow(start_, striker(), {.attempts = 120, .selection = 200, .most = 3}, practice_);
   ASSERT_TRUE(grown) << grown.error();
   ASSERT_FALSE(grown->changes.empty());
-  EXPECT_NE(grown->changes[0].find("near the goal: stand → kick (range 5 m)"), std::string::npos) << grown->changes[0];
+  const std::string line = text_of(grown->changes[0]);
+  EXPECT_NE(line.find("near the goal: stand → kick (range 5 m)"), std::string::npos) << line;
   const auto scores = *arena_.play(std::vector{start_, grown->strategy}, 99'000, 200);
   EXPECT_TRUE(is_sure(arena_.gain_of(scores[0], scores[1])));
 }
@@ -66,7 +67,7 @@ TEST_F(Striker, TunesAMarkedNumber) {
   const auto tuned = tune(kicks, striker(), {.generations = 6, .attempts = 40, .selection = 300}, 1, practice_);
   ASSERT_TRUE(tuned) << tuned.error();
   ASSERT_FALSE(tuned->changes.empty());
-  EXPECT_EQ(tuned->changes[0].substr(0, 23), "tolerance: 160 deg → ");
+  EXPECT_EQ(text_of(tuned->changes[0]).substr(0, 23), "tolerance: 160 deg → ");
   EXPECT_TRUE(is_sure(tuned->gain));
   EXPECT_FALSE(tuned->curve.empty());
   // the mark stays
