@@ -27,9 +27,11 @@ beside() {
   local name=$1 last=(chrt -i 0)
   shift
   "${last[@]}" true 2>/dev/null || last=(nice -n 19) # some containers allow no other scheduling
-  set -m # a process group of its own, so that it can be ended whole
-  "${last[@]}" "$@" >"$results/$name.beside.txt" 2>&1 </dev/null &
-  set +m
+  # Linux first shares the processor among sessions (sched(7), autogroup), and Chromium makes one of its own. So the command
+  # gets a session too, and a priority for it. The session is also a process group, which can be ended whole.
+  # shellcheck disable=SC2016  # for the inner shell
+  setsid bash -c '(echo 19 >/proc/self/autogroup) 2>/dev/null; exec "$@"' bash "${last[@]}" "$@" \
+    >"$results/$name.beside.txt" 2>&1 </dev/null &
   beside_pids[$name]=$!
   trap end_those_beside EXIT
 }

@@ -467,6 +467,7 @@ test("the page reports a server without foresight", async (t) => {
   const { page, problems } = await ask(t, server, "#/14/2/what-if");
   if (!live.services.has(kService)) await page.getByText("offers no service").waitFor();
   else {
+    await page.getByRole("button", { name: "▶ Ask" }).waitFor(); // the page learns of the services after it is connected
     await page.keyboard.press("Enter");
     await page.getByRole("alert").filter({ hasText: "cannot tell, because" }).waitFor();
   }

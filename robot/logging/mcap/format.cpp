@@ -199,14 +199,14 @@ ROBOT_LOGGING_MCAP_RECORD(DataEnd)
 #undef ROBOT_LOGGING_MCAP_RECORD
 
 Result<RecordHead> decode_record_head(std::string_view bytes, std::uint64_t offset, std::uint64_t left) {
-  const std::string where = " at byte " + std::to_string(offset);
+  const auto where = [offset] { return " at byte " + std::to_string(offset); };  // only for errors: records are many
   if (left < kRecordHeadBytes || bytes.size() < kRecordHeadBytes)
-    return Error{"record" + where + ": expected " + std::to_string(kRecordHeadBytes) + " bytes, " +
+    return Error{"record" + where() + ": expected " + std::to_string(kRecordHeadBytes) + " bytes, " +
                  std::to_string(std::min<std::uint64_t>(left, bytes.size())) + " are left"};
   const RecordHead head{static_cast<Op>(bytes[0]), ByteReader(bytes.substr(1)).number<std::uint64_t>()};
-  if (head.op == Op{0}) return Error{"record" + where + ": expected an op from 1 on, got 0"};
+  if (head.op == Op{0}) return Error{"record" + where() + ": expected an op from 1 on, got 0"};
   if (head.length > left - kRecordHeadBytes)
-    return Error{name(head.op) + where + ": expected " + std::to_string(head.length) + " bytes, " +
+    return Error{name(head.op) + where() + ": expected " + std::to_string(head.length) + " bytes, " +
                  std::to_string(left - kRecordHeadBytes) + " are left"};
   return head;
 }
