@@ -1,6 +1,9 @@
 #include "sim/app/commands.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 #include "robot/core/json_library.h"
 #include "sim/contest/repetition.h"
@@ -82,6 +85,24 @@ class ListCommand final : public Command {
 }  // namespace
 
 int fail(const std::string& sentence) { return robot::command::fail("foresight-sim", sentence); }
+
+std::vector<std::string> words_again(const CLI::App& command, const std::vector<std::string>& without) {
+  std::error_code unknown;  // then the job takes the program of its path
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  std::vector<std::string> words = {unknown ? "foresight-sim" : self.string(), command.get_name()};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || std::ranges::find(without, name) != without.end()) continue;
+    if (!option->get_positional()) words.push_back(name);
+    if (option->get_items_expected_max() == 0) continue;
+    const std::vector<std::string>& values = option->results();
+    if (const char delimiter = option->get_delimiter(); delimiter != '\0')
+      words.push_back(CLI::detail::join(values, std::string(1, delimiter)));
+    else
+      words.insert(words.end(), values.begin(), values.end());
+  }
+  return words;
+}
 
 void warn_of_repetition(std::int64_t games, std::int64_t different, const io::Matchup& choice) {
   if (different == games) return;

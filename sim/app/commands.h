@@ -20,6 +20,9 @@ inline constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
 /// Prints the sentence on stderr and returns the exit status of bad input.
 int fail(const std::string& sentence);
 
+/// Returns the words of this program's command line, for a job of a cluster. Leaves out the options in `without`.
+std::vector<std::string> words_again(const CLI::App& command, const std::vector<std::string>& without);
+
 /// Prints a sentence on stderr if the games of a series repeat.
 void warn_of_repetition(std::int64_t games, std::int64_t different, const io::Matchup& choice);
 

@@ -1,7 +1,6 @@
 // foresight-sim compare: is behaviour B better than A?
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 
 #include "robot/core/json_library.h"
@@ -242,16 +241,7 @@ class CompareCommand final : public Command {
 
   /// Returns this command line for a job of a cluster: with one process and without an engine.
   std::vector<std::string> words_for_jobs() {
-    std::error_code unknown;  // then the job takes the program of its path
-    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    std::vector<std::string> words = {unknown ? "foresight-sim" : self.string(), "compare"};
-    for (const CLI::Option* option : options().get_options()) {
-      const std::string name = option->get_name();
-      if (option->count() == 0 || name == "--engine" || name == "--jobs" || name == "--html") continue;
-      if (!option->get_positional()) words.push_back(name);
-      if (option->get_items_expected_max() > 0)
-        for (const std::string& value : option->results()) words.push_back(value);
-    }
+    std::vector<std::string> words = words_again(options(), {"--engine", "--jobs", "--html"});
     words.insert(words.end(), {"--jobs", "1"});
     return words;
   }

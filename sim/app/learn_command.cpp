@@ -2,12 +2,15 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/progress.h"
 #include "sim/contest/series.h"
+#include "sim/contest/slurm.h"
 #include "sim/io/json.h"
 #include "sim/learn/learning.h"
 #include "sim/report/learn_page.h"
@@ -16,6 +19,7 @@ namespace sim::app {
 namespace {
 
 constexpr int kNotBetter = 1;
+constexpr int kMostTasks = 1000;  // Slurm's usual limit
 
 class LearnCommand final : public Command {
  public:
@@ -62,6 +66,16 @@ class LearnCommand final : public Command {
     options()
         .add_option("--threads", choice_.world.threads, "default: one per processor; the tree is the same")
         ->check(CLI::Range(1, 256));
+    options().add_option("--share", share_,
+                         "K/N: this process is number K, from 0 on, of N that play the run in --from together");
+    options()
+        .add_option("--engine", engine_, "this machine (local), or --tasks jobs of a cluster (slurm)")
+        ->check(CLI::IsMember({"local", "slurm"}))
+        ->capture_default_str();
+    options()
+        .add_option("--tasks", tasks_, "number of a cluster's jobs")
+        ->check(CLI::Range(1, kMostTasks))
+        ->capture_default_str();
     options().add_flag("--control", choice_.shuffled, "deal the rewards by chance: nothing may be learned");
     options().add_flag("--json", json_, "report as JSON");
     options().footer("Exit status: 0 the learned tree is better, 1 it is not, 2 bad usage or input.");
@@ -70,6 +84,7 @@ class LearnCommand final : public Command {
 
   int run() override {
     if (const std::string wrong = read_words(); !wrong.empty()) return fail(wrong);
+    if (engine_ == "slurm") return hand_to_cluster();
     const auto course = [&] {
       std::unique_ptr<ProgressBar> bar;
       std::string shown;
@@ -79,6 +94,7 @@ class LearnCommand final : public Command {
       });
     }();
     if (!course) return fail(course.error());
+    if (!choice_.share.is_first()) return kDone;  // the first process reports
     // first of all: a file that cannot be written must not cost the answer
     std::fputs(json_ ? (report::learn_json(*course).dump(2) + "\n").c_str() : report::learn_text(*course).c_str(),
                stdout);
@@ -105,12 +121,38 @@ class LearnCommand final : public Command {
     if (unit == 'h') choice_.minutes *= 60;
     if (!good || !(choice_.minutes > 0 && choice_.minutes <= 6000))
       return "--budget must be a time such as 90s, 10m or 2h, at most 100h, got '" + budget_ + "'";
+    if (const std::string wrong = read_share(); !wrong.empty()) return wrong;
     choice_.name = out_.empty() ? "learned" : std::filesystem::path(out_).stem().string();
     return "";
   }
 
+  std::string read_share() {
+    if (engine_ == "slurm" && (choice_.folder.empty() || out_.empty() || !share_.empty()))
+      return "--engine slurm needs --out, and --from, a folder that all machines of the cluster see; it sets --share";
+    if (share_.empty()) return "";
+    auto& [number, of] = choice_.share;
+    int used = 0;
+    const int read = std::sscanf(share_.c_str(), "%d/%d%n", &number, &of, &used);
+    if (read != 2 || used != static_cast<int>(share_.size()) || number < 0 || number >= of || of > kMostTasks)
+      return robot::formatted("--share must be K/N with 0 <= K < N <= %d, got '%s'", kMostTasks, share_.c_str());
+    return choice_.folder.empty() ? "--share needs --from, the folder of the run" : "";
+  }
+
+  int hand_to_cluster() {
+    std::error_code failed;
+    std::filesystem::create_directories(choice_.folder, failed);
+    if (failed) return fail("run " + choice_.folder.string() + ": " + failed.message());
+    const std::vector<std::string> words = words_again(options(), {"--engine", "--tasks"});
+    const auto job = contest::submit_script(choice_.folder, "learn", contest::sharing_script(words, tasks_));
+    if (!job) return fail(job.error());
+    std::printf("job %s: %d tasks share the run in %s; the first one writes %s\n", job->c_str(), tasks_,
+                choice_.folder.c_str(), out_.c_str());
+    return kDone;
+  }
+
   learn::LearnChoice choice_;
-  std::string budget_ = "10m", out_, html_;
+  std::string budget_ = "10m", out_, html_, share_, engine_ = "local";
+  int tasks_ = 8;
   bool json_ = false;
 };
 

@@ -32,6 +32,20 @@ std::string command_line(const std::vector<std::string>& words) {
 
 constexpr const char* kHead = "#!/bin/sh\n#SBATCH --ntasks=1\n";
 
+std::string array_head(std::int64_t tasks) {
+  return kHead + std::string("#SBATCH --array=0-") + std::to_string(tasks - 1) + "\n#SBATCH --requeue\n";
+}
+
+/// Returns the lines that run a command, and again after a kill: it goes on with what it has written. Slurm itself handles
+/// a lost node. The shell's $status is the command's.
+std::string again_after_kills(const std::string& command) {
+  return "for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do\n  " + command +
+         "\n  status=$?\n  [ \"$status\" -gt 128 ] || break\n  sleep 1\ndone\n";
+}
+
+// an answer such as "not better" or "undecided" is no failure of the job
+constexpr const char* kEndOfAnswer = "[ \"$status\" -lt 2 ] || [ \"$status\" = 3 ]\n";
+
 /// Runs sbatch. Returns the number of the job.
 Result<std::string> sbatch(const std::string& arguments) {
   const std::string command = "sbatch --parsable " + arguments;
@@ -58,34 +72,33 @@ Division divide(std::int64_t blocks, double seconds_per_block) {
 
 std::string array_script(const std::vector<std::string>& words, const Division& division) {
   const std::string per_task = std::to_string(division.blocks_per_task), blocks = std::to_string(division.blocks);
-  // a killed task is started again and resumes after its last written block; Slurm itself handles a lost node
-  return kHead + std::string("#SBATCH --array=0-") + std::to_string(division.tasks() - 1) +
-         "\n#SBATCH --requeue\nfrom=$((SLURM_ARRAY_TASK_ID * " + per_task + "))\nto=$((from + " + per_task +
-         "))\n[ \"$to\" -le " + blocks + " ] || to=" + blocks +
-         "\nfor try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do\n  " + command_line(words) +
-         " --blocks \"$from..$to\"\n  status=$?\n  [ \"$status\" -gt 128 ] || exit \"$status\"\n  sleep 1\ndone\n"
-         "exit \"$status\"\n";
+  return array_head(division.tasks()) + "from=$((SLURM_ARRAY_TASK_ID * " + per_task + "))\nto=$((from + " + per_task +
+         "))\n[ \"$to\" -le " + blocks + " ] || to=" + blocks + "\n" +
+         again_after_kills(command_line(words) + " --blocks \"$from..$to\"") + "exit \"$status\"\n";
 }
 
 std::string merge_script(const std::vector<std::string>& words) {
-  // the verdicts "not better" and "undecided" are no failure of the job
-  return kHead + command_line(words) + " --merge\nstatus=$?\n[ \"$status\" -ne 2 ]\n";
+  return kHead + command_line(words) + " --merge\nstatus=$?\n" + kEndOfAnswer;
+}
+
+std::string sharing_script(const std::vector<std::string>& words, int tasks) {
+  const std::string share = " --share \"$SLURM_ARRAY_TASK_ID/" + std::to_string(tasks) + "\"";
+  return array_head(tasks) + again_after_kills(command_line(words) + share) + kEndOfAnswer;
+}
+
+Result<std::string> submit_script(const std::filesystem::path& folder, const std::string& name,
+                                  const std::string& script, const std::string& options) {
+  const std::filesystem::path where = robot::absolute_path(folder), path = where / (name + ".sh"),
+                              log = where / (name + "-%j.log");
+  if (auto written = robot::replace_file(path, script, 0755); !written) return written.failure();
+  return sbatch(options + (options.empty() ? "" : " ") + "--job-name=foresight-" + name +
+                " --output=" + quoted(log.string()) + " " + quoted(path.string()));
 }
 
 Result<Submitted> submit(const std::vector<std::string>& words, const Division& division, const RunFolder& folder) {
-  const std::filesystem::path where = robot::absolute_path(folder.path());
-  // writes and submits a script; `before` are further options; its log is in the run's folder
-  const auto hand_over = [&](const char* name, const std::string& script,
-                             const std::string& before) -> Result<std::string> {
-    const std::filesystem::path path = where / (std::string(name) + ".sh"),
-                                log = where / (std::string(name) + "-%j.log");
-    if (auto written = robot::replace_file(path, script, 0755); !written) return written.failure();
-    return sbatch(before + "--job-name=foresight-" + name + " --output=" + quoted(log.string()) + " " +
-                  quoted(path.string()));
-  };
-  const auto array = hand_over("blocks", array_script(words, division), "");
+  const auto array = submit_script(folder.path(), "blocks", array_script(words, division));
   if (!array) return array.failure();
-  const auto merging = hand_over("merge", merge_script(words), "--dependency=afterok:" + *array + " ");
+  const auto merging = submit_script(folder.path(), "merge", merge_script(words), "--dependency=afterok:" + *array);
   if (!merging) return merging.failure();
   return Submitted{*array, *merging};
 }

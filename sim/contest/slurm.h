@@ -1,7 +1,8 @@
-// A comparison on a Slurm cluster: an array of jobs plays the blocks, and one more job merges them at the end.
+// Runs on a Slurm cluster. Of a comparison, an array of jobs plays the blocks, and one more job merges them at the end.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,13 @@ struct Submitted {
 /// Writes both scripts into the run's folder and submits them with sbatch. All machines must see the folder.
 robot::Result<Submitted> submit(const std::vector<std::string>& words, const Division& division,
                                 const RunFolder& folder);
+
+/// Returns the script of an array of `tasks` jobs that play a run together (--share).
+std::string sharing_script(const std::vector<std::string>& words, int tasks);
+
+/// Writes a script into `folder`, which all machines must see, and submits it with sbatch and more of its options. The log
+/// lies beside it. Returns the number of the job.
+robot::Result<std::string> submit_script(const std::filesystem::path& folder, const std::string& name,
+                                         const std::string& script, const std::string& options = "");
 
 }  // namespace sim::contest

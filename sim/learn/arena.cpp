@@ -145,6 +145,15 @@ int Arena::attempts_of(std::size_t exercise, int count) const {
   return exercises_[exercise].is_game ? (count + kAttemptsAGame - 1) / kAttemptsAGame : count;
 }
 
+float Arena::diagonal() const {
+  float longest = 0;
+  for (const Exercise& exercise : exercises_) {
+    const field::Field& field = exercise.params.front().rules.field;
+    longest = std::max(longest, std::sqrt(field.length * field.length + field.width * field.width));
+  }
+  return longest;
+}
+
 double Arena::cost_of(int count) const {
   double seconds = 0;
   for (std::size_t i = 0; i < exercises_.size(); ++i) {
@@ -157,6 +166,12 @@ double Arena::cost_of(int count) const {
 }
 
 Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::uint64_t first_seed, int count) {
+  const auto take_known = [&](Task& task) {
+    const std::vector<Score>* const known = ledger_->find(task.key);
+    if (!known || known->size() != task.scores.size()) return false;
+    task.scores = *known;
+    return true;
+  };
   std::vector<std::unique_ptr<agent::TreeBehaviour>> trees;
   std::vector<Scores> all;
   std::vector<Task> tasks;
@@ -185,26 +200,28 @@ Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::u
     }
   }
 
+  // tasks that neither this process nor another one has played
   std::vector<Task*> open;
-  for (Task& task : tasks) {
-    const std::vector<Score>* const known = ledger_->find(task.key);
-    if (known && known->size() == task.scores.size())
-      task.scores = *known;
-    else
-      open.push_back(&task);
-  }
+  for (const std::size_t place : order_of(tasks.size(), ledger_->share()))
+    if (!take_known(tasks[place])) open.push_back(&tasks[place]);
   std::mutex lock;
-  std::string problem;
+  contest::Problem problem;
   contest::for_each_game(static_cast<int>(open.size()), threads_, [&](int index) {
     Task& task = *open[static_cast<std::size_t>(index)];
+    if (problem.is_known()) return;
+    {
+      const std::lock_guard guard(lock);
+      if (auto read = ledger_->refresh(); !read) return problem.tell(read.error());
+      if (take_known(task)) return;
+    }
     const agent::Behaviour& strategy = *trees[task.strategy];
     const Exercise& exercise = exercises_[task.exercise];
     exercise.is_game ? play_matches(exercise, strategy, task) : play_drill(exercise, strategy, task);
     // at once, so that a kill loses no more than the tasks that are played
     const std::lock_guard guard(lock);
-    if (auto added = ledger_->add(task.key, task.scores); !added && problem.empty()) problem = added.error();
+    if (auto added = ledger_->add(task.key, task.scores); !added) problem.tell(added.error());
   });
-  if (!problem.empty()) return robot::Error{problem};
+  if (problem.is_known()) return robot::Error{problem.text()};
   for (const Task& task : tasks) std::ranges::copy(task.scores, all[task.strategy][task.exercise].begin() + task.from);
   return all;
 }

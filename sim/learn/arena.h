@@ -50,6 +50,8 @@ class Arena {
   std::size_t size() const { return exercises_.size(); }
   /// Returns the number of attempts that `count` seeds give at an exercise.
   int attempts_of(std::size_t exercise, int count) const;
+  /// Returns the diagonal of the largest field [m].
+  float diagonal() const;
   /// Returns the simulated seconds of `count` seeds, an estimate.
   double cost_of(int count) const;
 

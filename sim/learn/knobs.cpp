@@ -31,20 +31,23 @@ void limit(const io::Expected& expected, Knob& knob) {
   knob.most = std::min(knob.most, expected.most);
 }
 
-/// Sets the range of a number without a mark.
-void guess_range(Knob& knob) {
+/// Sets the range of a number without a mark. A value that is farther than `farthest` stays in its range.
+void guess_range(Knob& knob, float farthest) {
   const float value = knob.value, room = kShare * (knob.expected.most - knob.expected.least);
   const bool positive = value > 0 && knob.expected.least >= 0;
   knob.least = positive ? value / kFactor : value - room;
   knob.most = positive ? value * kFactor : value + room;
   limit(knob.expected, knob);
+  if (std::string_view(knob.expected.unit) != "m") return;
+  knob.least = std::max(knob.least, std::min(value, -farthest));
+  knob.most = std::min(knob.most, std::max(value, farthest));
 }
 
 /// Finds the numbers of one strategy.
 class Finder {
  public:
-  Finder(const Json& marked, const Json& plain)
-      : marked_(marked), plain_(plain), parameters_(plain.value("parameters", Json::object())) {}
+  Finder(const Json& marked, const Json& plain, float farthest)
+      : farthest_(farthest), marked_(marked), plain_(plain), parameters_(plain.value("parameters", Json::object())) {}
 
   std::vector<Knob> find() {
     for_each_rule(plain_, [&](const RulePlace& place, const Json& rule) { add_rule(place, rule); });
@@ -136,7 +139,7 @@ class Finder {
   void set_range(Knob& knob) const {
     const Json::json_pointer place(knob.place);
     const Json* const mark = knob.term < 0 && marked_.contains(place) ? &marked_.at(place) : nullptr;
-    if (!mark || !mark->is_object()) return guess_range(knob);
+    if (!mark || !mark->is_object()) return guess_range(knob, farthest_);
     // the range has the unit of the value
     const Json& value = (*mark)["value"];
     const std::string text = value.is_string() ? value.get<std::string>() : "";
@@ -151,6 +154,7 @@ class Finder {
     knob.least = end(0, knob.expected.least), knob.most = end(1, knob.expected.most);
   }
 
+  const float farthest_;  // [m]
   const Json& marked_;
   const Json& plain_;
   const Json parameters_;
@@ -179,10 +183,10 @@ std::string with_threshold(const std::string& condition, const Json& parameters,
 
 }  // namespace
 
-Result<std::vector<Knob>> knobs_of(const Json& strategy) {
+Result<std::vector<Knob>> knobs_of(const Json& strategy, float farthest) {
   const Result<Json> plain = io::without_marks(strategy);
   if (!plain) return plain.failure();
-  return Finder(strategy, *plain).find();
+  return Finder(strategy, *plain, farthest).find();
 }
 
 float rounded(const Knob& knob, float value) {

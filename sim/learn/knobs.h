@@ -2,6 +2,7 @@
 // conditions.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,12 +25,15 @@ struct Knob {
   std::vector<std::string> skills, features;  // that it is an argument of, or that are compared with it
 };
 
+inline constexpr float kUnlimited = std::numeric_limits<float>::infinity();
+
 /// Returns the knobs of a flattened strategy (io::flattened), in the order of its text. A mark gives the range of a number.
 ///
 /// Without a mark, the range is a third to three times the value. For a number that may be negative, it is a quarter of
-/// the allowed range to each side. It stays within the limits of skill and feature. Names, counts and features that never
-/// change in a game have no knobs.
-robot::Result<std::vector<Knob>> knobs_of(const io::Json& strategy);
+/// the allowed range to each side. It stays within the limits of skill and feature, and a distance within `farthest` [m]:
+/// beyond the field's diagonal all thresholds mean the same. Names, counts and features that never change in a game have no
+/// knobs.
+robot::Result<std::vector<Knob>> knobs_of(const io::Json& strategy, float farthest = kUnlimited);
 
 /// Returns the nearest value that a person would write: a step is about a hundredth of the range.
 float rounded(const Knob& knob, float value);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -28,6 +29,7 @@ constexpr double kSimulatedASecond = 4500;  // [s] by one core, measured with dr
 constexpr double kTuned = 0.5;              // of a layer's budget for its numbers
 constexpr double kGrown = 0.3;              // for its structure
 constexpr double kGuarded = 0.2;            // for whole games before and after
+constexpr double kSeam = 0.5;               // budget of a seam, of a layer's
 constexpr int kGenerations = 24;
 constexpr std::int64_t kUnseenPairs = 300;
 constexpr double kWorse = 0.2;  // [goals a game] against an unseen opponent, the tree is surely not worse by this
@@ -52,8 +54,9 @@ class Place {
     if (!kept_ && !path_.empty()) std::filesystem::remove_all(path_, ignored);
   }
 
-  std::filesystem::path file(const char* name) const { return path_ / name; }
-  std::filesystem::path ledger() const { return kept_ ? path_ / "ledger.txt" : std::filesystem::path(); }
+  std::filesystem::path file(const std::string& name) const { return path_ / name; }
+  /// Returns the folder if it is kept, or an empty path.
+  std::filesystem::path kept() const { return kept_ ? path_ : std::filesystem::path(); }
 
  private:
   Place() = default;
@@ -79,7 +82,7 @@ std::string specification_of(const LearnChoice& choice, const Json& start, const
   for (const Layer& layer : layers)
     for (const auto& [name, weight] : layer.exercises)
       if (name != kGame) drills.push_back(name);
-  const Json json = {{"format", 2},
+  const Json json = {{"format", 3},
                      {"strategy", hex(hash_of_text(start.dump()))},
                      {"layers", hashes_of("layers", choice.layers)},
                      {"drills", hashes_of("drills", drills)},
@@ -106,7 +109,7 @@ std::string met_before(const LearnChoice& choice) {
   return "";
 }
 
-/// Begins the run in its folder, or goes on with it.
+/// Begins the run in its folder, or goes on with it, perhaps beside other processes.
 Result<void> claim(const std::filesystem::path& file, const std::string& specification) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return robot::replace_file(file, specification);
@@ -128,12 +131,13 @@ class Learning {
 
   Result<Course> run(const Place& place) {
     std::vector<Layer> lessons = layers_;
-    if (layers_.size() > 1) lessons.push_back(seam_of(layers_[layers_.size() - 2], layers_.back()));
-    const double each = Budget::of_minutes(choice_.minutes).seconds / static_cast<double>(lessons.size());
-    for (std::size_t i = 0; i < lessons.size(); ++i) {
-      number_ = i, count_ = lessons.size();
-      if (auto learned = lesson(lessons[i], each); !learned) return learned.failure();
-    }
+    for (std::size_t i = 1; i < layers_.size(); ++i) lessons.push_back(seam_of(layers_[i - 1], layers_[i]));
+    const double shares = static_cast<double>(layers_.size()) + kSeam * static_cast<double>(layers_.size() - 1);
+    const double each = Budget::of_minutes(choice_.minutes).seconds / shares;
+    count_ = lessons.size();
+    for (number_ = 0; number_ < count_; ++number_)
+      if (auto learned = lesson(lessons[number_], number_ < layers_.size() ? each : kSeam * each); !learned)
+        return learned.failure();
     course_.learned = without_unused(std::move(course_.learned));
     course_.learned["name"] = choice_.name;
     course_.changes = merged(course_.changes);
@@ -238,37 +242,58 @@ class Learning {
   }
 
   /// The learned tree must beat the start in a sequential test, and must not be worse against opponents that no game of
-  /// the run met. Its seeds are the test's.
+  /// the run met. Its seeds are the test's. The first process plays it; the others play what it will surely need.
   Result<void> gate(const Place& place) {
     const std::string a = place.file("start.json").string(), b = place.file("learned.json").string();
     if (auto written = robot::replace_file(a, io::printed(course_.start) + "\n"); !written) return written;
     if (auto written = robot::replace_file(b, io::printed(course_.learned) + "\n"); !written) return written;
-    std::vector<std::string> opponents{""};
-    opponents.insert(opponents.end(), choice_.unseen.begin(), choice_.unseen.end());
     course_.better = true;
-    for (const std::string& opponent : opponents) {
-      const auto comparison = contest::Comparison::prepare({.a = a,
-                                                            .b = b,
-                                                            .opponent = opponent,
-                                                            .rules = choice_.world.rules,
-                                                            .models = choice_.world.models,
-                                                            .seed = course_.first_test_seed});
-      if (!comparison) return comparison.failure();
-      contest::ContestOptions options{.question = {.h0 = 0, .h1 = choice_.wanted},
-                                      .pairs = {},
-                                      .most_pairs = choice_.most_pairs,
-                                      .jobs = choice_.world.threads};
-      if (!opponent.empty()) options.pairs = kUnseenPairs;
-      tell_("the gate" + (opponent.empty() ? "" : ": against " + opponent), 1);
-      auto outcome = contest::play_contest(*comparison, options, nullptr, [](const auto&, double) {});
-      if (!outcome) return outcome.failure();
-      Against against{.opponent = opponent, .outcome = *std::move(outcome)};
-      against.passed = opponent.empty() ? against.outcome.verdict == compare::Verdict::better
-                                        : compare::gain_per_game(against.outcome.tally).low > -kWorse;
-      course_.better = course_.better && against.passed;
-      course_.gate.push_back(std::move(against));
+    contest::ComparisonChoice game{.a = a, .b = b};
+    if (auto met = meet(place, game, "gate-start"); !met) return met;
+    for (std::size_t i = 0; i < choice_.unseen.size(); ++i) {
+      game.opponent = choice_.unseen[i];
+      if (auto met = meet(place, game, "gate-unseen-" + std::to_string(i)); !met) return met;
     }
     return {};
+  }
+
+  /// Plays the gate's games against one opponent, or the start itself. `name` is that of their folder.
+  Result<void> meet(const Place& place, contest::ComparisonChoice game, const std::string& name) {
+    const std::string opponent = game.opponent;
+    game.rules = choice_.world.rules, game.models = choice_.world.models, game.seed = course_.first_test_seed;
+    const auto comparison = contest::Comparison::prepare(game);
+    if (!comparison) return comparison.failure();
+    contest::ContestOptions options{.question = {.h0 = 0, .h1 = choice_.wanted},
+                                    .pairs = {},
+                                    .most_pairs = choice_.most_pairs,
+                                    .jobs = choice_.world.threads};
+    if (!opponent.empty()) options.pairs = kUnseenPairs;
+    tell_("the gate" + (opponent.empty() ? "" : ": against " + opponent), 1);
+    std::optional<contest::RunFolder> folder;
+    if (!place.kept().empty()) {
+      auto opened =
+          contest::RunFolder::open(place.file(name), comparison->specification(), contest::RunFolder::Use::share);
+      if (!opened) return opened.failure();
+      folder = *std::move(opened);
+    }
+    if (!choice_.share.is_first()) return options.pairs ? help(*comparison, options, *folder) : Result<void>();
+    auto outcome = contest::play_contest(*comparison, options, folder ? &*folder : nullptr, [](const auto&, double) {});
+    if (!outcome) return outcome.failure();
+    Against against{.opponent = opponent, .outcome = *std::move(outcome)};
+    against.passed = opponent.empty() ? against.outcome.verdict == compare::Verdict::better
+                                      : compare::gain_per_game(against.outcome.tally).low > -kWorse;
+    course_.better = course_.better && against.passed;
+    course_.gate.push_back(std::move(against));
+    return {};
+  }
+
+  /// Plays this process's part of a run whose length is known. The first process finds the blocks, and plays the rest.
+  Result<void> help(const contest::Comparison& comparison, const contest::ContestOptions& options,
+                    const contest::RunFolder& folder) const {
+    const std::int64_t blocks = options.most_blocks();
+    const auto begin_of = [&](int number) { return blocks * number / choice_.share.of; };
+    return contest::play_blocks(comparison, begin_of(choice_.share.number), begin_of(choice_.share.number + 1),
+                                options.jobs, folder);
   }
 
   const LearnChoice& choice_;
@@ -301,7 +326,7 @@ Result<Course> learn(const LearnChoice& choice, const Tell& tell) {
   if (!choice.folder.empty())
     if (auto claimed = claim(place->file("run.json"), specification_of(choice, *start, layers)); !claimed)
       return claimed.failure();
-  auto ledger = Ledger::open(place->ledger());
+  auto ledger = Ledger::open(place->kept(), choice.share);
   if (!ledger) return ledger.failure();
   return Learning(choice, *std::move(start), std::move(layers), *ledger, tell).run(*place);
 }

@@ -9,6 +9,7 @@
 #include "sim/contest/contest.h"
 #include "sim/learn/arena.h"
 #include "sim/learn/layer.h"
+#include "sim/learn/share.h"
 #include "sim/learn/step.h"
 
 namespace sim::learn {
@@ -24,6 +25,7 @@ struct LearnChoice {
   std::int64_t most_pairs = 4000;   // of the gate's sequential test
   double wanted = 0.1;              // [goals a game] the gain that the test must tell from none
   std::filesystem::path folder;     // of the run: go on with it; empty: none
+  Share share;                      // of this process, if several play the run; they need the folder
   std::string name;                 // of the learned strategy
 };
 
@@ -61,12 +63,13 @@ struct Course {
   io::Json start, learned;
   std::vector<Change> changes;  // of the whole run
   std::vector<Lesson> lessons;
-  std::vector<Against> gate;  // none if nothing changed
+  std::vector<Against> gate;  // none if nothing changed, or if another process plays it
   bool better = false;        // the gate is passed
   std::uint64_t first_test_seed = 0;
 };
 
-/// Learns. The result depends on the choice only: not on threads, nor on kills between. `tell` may be called often.
+/// Learns. The result depends on the choice only: not on threads or processes, nor on kills between. `tell` may be called
+/// often.
 robot::Result<Course> learn(const LearnChoice& choice, const Tell& tell);
 
 }  // namespace sim::learn

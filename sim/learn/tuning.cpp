@@ -211,7 +211,7 @@ class Tuning {
 
 Result<Learned> tune(const Json& strategy, const Layer& layer, const TuningPlan& plan, std::uint64_t seed,
                      const Practice& practice) {
-  auto all = knobs_of(strategy);
+  auto all = knobs_of(strategy, practice.arena.diagonal());
   if (!all) return all.failure();
   std::erase_if(*all, [&](const Knob& knob) { return !layer.has(knob); });
   if (all->empty())

@@ -52,11 +52,29 @@ TEST(Slurm, TheScriptOfTheArrayGivesEachTaskItsBlocks) {
 TEST(Slurm, AMergeFailsOnBadInputOnly) {
   const tests::TemporaryFolder folder;
   const std::filesystem::path script = folder.path() / "merge.sh";
-  for (const int status : {0, 1, 2, 3}) {
+  for (const int status : {0, 1, 2, 3, 127}) {
     std::ofstream(script) << merge_script({"sh", "-c", "exit " + std::to_string(status)});
     const int ended = std::system(("sh '" + script.string() + "'").c_str());
-    EXPECT_EQ(WEXITSTATUS(ended) == 0, status != 2) << status;
+    EXPECT_EQ(WEXITSTATUS(ended) == 0, status != 2 && status != 127) << status;
   }
+}
+
+TEST(Slurm, AShareIsTheNumberOfATask) {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path script = folder.path() / "learn.sh";
+  std::ofstream(script) << sharing_script({"echo", "learn"}, 5);
+  EXPECT_EQ(output_of(script, 0), "learn --share 0/5\n");
+  EXPECT_EQ(output_of(script, 4), "learn --share 4/5\n");
+}
+
+TEST(Slurm, AKilledTaskIsRunAgainAndAnAnswerIsNoFailure) {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path script = folder.path() / "learn.sh", mark = folder.path() / "mark";
+  const std::string once =
+      "[ -e '" + mark.string() + "' ] || { touch '" + mark.string() + "'; kill -KILL $$; }; exit 1";
+  std::ofstream(script) << sharing_script({"sh", "-c", once}, 1);
+  EXPECT_EQ(std::system(("SLURM_ARRAY_TASK_ID=0 sh '" + script.string() + "'").c_str()), 0);
+  EXPECT_TRUE(std::filesystem::exists(mark));
 }
 
 }  // namespace

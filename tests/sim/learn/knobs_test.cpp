@@ -67,6 +67,18 @@ TEST(Knobs, WithoutAMarkTheRangeIsAThirdToThreeTimesTheValue) {
   }
 }
 
+TEST(Knobs, ADistanceWithoutAMarkEndsAtTheField) {
+  const auto knobs = *knobs_of(small(), 6);
+  EXPECT_FLOAT_EQ(knob(knobs, "close: range").most, 6);
+  EXPECT_GE(knob(knobs, "far: ball_x").least, -6);
+  EXPECT_LE(knob(knobs, "far: ball_x").most, 6);
+  // a mark is the user's word, and a value that lies beyond stays
+  EXPECT_FLOAT_EQ(knob(knobs, "near").most, 1.5f);
+  EXPECT_FLOAT_EQ(knob(*knobs_of(small(), 2), "close: range").most, 3);
+  // other units have no field
+  EXPECT_FLOAT_EQ(knob(*knobs_of(small(), 1), "close: ball_age").most, 6);
+}
+
 TEST(Knobs, OtherValuesAreReadBackAsTheyWereWritten) {
   const Json strategy = small();
   const auto knobs = *knobs_of(strategy);

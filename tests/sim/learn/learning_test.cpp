@@ -4,6 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <thread>
+#include <vector>
 
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
@@ -112,7 +115,7 @@ TEST(Learning, ThreadsAndKillsChangeNothing) {
   EXPECT_EQ(kept->learned.dump(2), once->learned.dump(2));
   EXPECT_EQ(kept->changes, once->changes);
   // a kill leaves a part of the ledger, with a torn line at its end
-  const auto ledger = choice.folder / "ledger.txt";
+  const auto ledger = choice.folder / "ledger-0.txt";
   const auto size = std::filesystem::file_size(ledger);
   for (const double share : {0.1, 0.5, 0.95}) {
     std::filesystem::resize_file(ledger, static_cast<std::uintmax_t>(share * static_cast<double>(size)));
@@ -121,6 +124,38 @@ TEST(Learning, ThreadsAndKillsChangeNothing) {
     EXPECT_EQ(again->learned.dump(2), once->learned.dump(2));
     EXPECT_EQ(std::filesystem::file_size(ledger), size);
   }
+}
+
+TEST(Learning, ProcessesThatShareARunLearnWhatOneLearns) {
+  const tests::TemporaryFolder folder;
+  LearnChoice choice = small_run(folder.path());
+  choice.unseen = {"idle"}, choice.world.rules = "spl2012,half_duration=10";
+  const auto alone = learn(choice, kSilent);
+  ASSERT_TRUE(alone) << alone.error();
+  choice.folder = folder.path() / "run";
+  std::optional<robot::Result<Course>> courses[3];
+  std::vector<std::thread> processes;
+  for (const int number : {0, 1, 2})
+    processes.emplace_back([&, number] {
+      LearnChoice own = choice;
+      own.share = {number, 3};
+      own.world.threads = 1;
+      courses[number] = learn(own, kSilent);
+    });
+  for (std::thread& process : processes) process.join();
+  for (const auto& course : courses) {
+    ASSERT_TRUE(*course) << course->error();
+    EXPECT_EQ((*course)->learned.dump(2), alone->learned.dump(2));
+  }
+  // the first one has the gate's answer, the same as alone
+  ASSERT_EQ((*courses[0])->gate.size(), alone->gate.size());
+  EXPECT_TRUE((*courses[1])->gate.empty());
+  for (std::size_t i = 0; i < alone->gate.size(); ++i)
+    EXPECT_EQ((*courses[0])->gate[i].outcome.tally.gain, alone->gate[i].outcome.tally.gain);
+  // what was played is known: a fourth process adds nothing
+  choice.share = {3, 4};
+  ASSERT_TRUE(learn(choice, kSilent));
+  EXPECT_EQ(std::filesystem::file_size(choice.folder / "ledger-3.txt"), 0u);
 }
 
 TEST(Learning, AFolderOfAnotherRunIsRefused) {

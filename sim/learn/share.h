@@ -1,0 +1,22 @@
+// The share of one process in a run that several processes play together.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace sim::learn {
+
+/// One of the processes that play a run together, perhaps on several machines. All of them do the same, and differ only in
+/// the order in which they take up their tasks; so none waits for another, and none is missed when it dies.
+struct Share {
+  int number = 0;  // 0 .. of - 1; the first one plays the gate and reports
+  int of = 1;
+
+  bool is_first() const { return number == 0; }
+};
+
+/// Returns the numbers 0 .. tasks - 1 in the order in which a process takes them up: its own part of them forwards, then the
+/// others' parts backwards, since their owners begin at the front.
+std::vector<std::size_t> order_of(std::size_t tasks, Share share);
+
+}  // namespace sim::learn
