@@ -1,6 +1,7 @@
 #include "sim/learn/layer.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "robot/core/json_library.h"
 #include "sim/io/reader.h"
@@ -92,7 +93,7 @@ Result<Layer> parse_layer(std::string_view text, const std::string& called, cons
 Result<Layer> load_layer(const std::string& name) {
   const Result<io::Source> source = io::find_source("layers", "layer", name);
   if (!source) return source.failure();
-  return parse_layer(source->text, source->called, name);
+  return parse_layer(source->text, source->called, std::filesystem::path(name).stem().string());
 }
 
 Layer seam_of(const Layer& lower, const Layer& upper) {

@@ -140,6 +140,9 @@ class Learning {
         return learned.failure();
     course_.learned = without_unused(std::move(course_.learned));
     course_.learned["name"] = choice_.name;
+    course_.learned["about"] = robot::formatted("learned from %s by foresight-sim learn: budget %g min, seed %llu",
+                                                course_.start.value("name", "a tree").c_str(), choice_.minutes,
+                                                static_cast<unsigned long long>(choice_.seed));
     course_.changes = merged(course_.changes);
     course_.first_test_seed = seeds_.first_of(Purpose::test);
     if (course_.changes.empty()) return std::move(course_);

@@ -50,9 +50,10 @@ std::array<Luck, kLucks> lucks_of(const Walk& walk) {
   return lucks;
 }
 
-Gait gait_with(const Walk& walk, const Command& command, const Luck& luck) {
+/// Returns the gait for the next `dt` seconds.
+Gait gait_with(const Walk& walk, const Command& command, float dt, const Luck& luck) {
   const sim::motion::Errand errand = sim::motion::errand_of(command);
-  return sim::motion::gait_of(walk, true, std::clamp(command.gain, 0.f, 1.f), errand, walk.step_duration, luck);
+  return sim::motion::gait_of(walk, true, std::clamp(command.gain, 0.f, 1.f), errand, dt, luck);
 }
 
 WalkRates gait_rates_of(const Gait& gait) { return {gait.velocity.x, gait.velocity.y, gait.turn_rate}; }
@@ -63,15 +64,16 @@ class Legs {
   Legs(const Walk& walk, const std::array<Luck, kLucks>& lucks, bool walks)
       : walk_(walk), lucks_(lucks), doing_(walks ? Doing::walking : Doing::standing) {}
 
-  /// Moves for one tick, at whose beginning a step may begin. Returns the mean rates.
-  WalkRates move(const Command& command, bool begins) {
+  /// Moves for one tick, at whose beginning a step may begin. The next one begins in `until_next` seconds. Returns the mean
+  /// rates.
+  WalkRates move(const Command& command, bool begins, float until_next) {
     const bool moves = velocity_ != sim::Vec2{} || turn_rate_ != 0;
     const bool in_step = doing_ == Doing::walking || (doing_ == Doing::stopping && moves);
     float moving = kWalkTick;  // [s] of the tick
     if (!in_step || begins) {
       moving = asks_to_walk(command) ? go() : halt(moves);
       if (moving <= 0) return {};
-      wanted_ = doing_ == Doing::walking ? gait_of(command) : Gait{};
+      wanted_ = doing_ == Doing::walking ? gait_of(command, until_next) : Gait{};
     }
     if (doing_ == Doing::stopping) since_ += kWalkTick;
     const auto velocity = sim::motion::approach(velocity_, wanted_.velocity, walk_.acceleration * moving);
@@ -104,15 +106,15 @@ class Legs {
     return doing_ == Doing::stopping ? kWalkTick : 0;
   }
 
-  Gait gait_of(const Command& command) {
-    if (has_told_ && command == told_) return told_gait_;
+  Gait gait_of(const Command& command, float dt) {
+    if (dt == told_dt_ && command == told_) return told_gait_;
     Gait mean;
     for (const Luck& luck : lucks_) {
-      const Gait one = gait_with(walk_, command, luck);
+      const Gait one = gait_with(walk_, command, dt, luck);
       mean.velocity += 1.f / kLucks * one.velocity;
       mean.turn_rate += one.turn_rate / kLucks;
     }
-    has_told_ = true, told_ = command, told_gait_ = mean;
+    told_dt_ = dt, told_ = command, told_gait_ = mean;
     return mean;
   }
 
@@ -122,8 +124,8 @@ class Legs {
   float since_ = 0;  // [s] in `doing_`
   sim::Vec2 velocity_;
   float turn_rate_ = 0;
-  Gait wanted_;  // of the present step
-  bool has_told_ = false;
+  Gait wanted_;        // of the present step
+  float told_dt_ = 0;  // [s] of `told_gait_`; 0: none yet
   Command told_;
   Gait told_gait_;
 };
@@ -144,7 +146,7 @@ MeanGait mean_gait(const Walk& walk, const Command& command) {
   MeanGait gait;
   WalkRates squares;
   for (const Luck& luck : lucks_of(walk)) {
-    const WalkRates one = gait_rates_of(gait_with(walk, command, luck));
+    const WalkRates one = gait_rates_of(gait_with(walk, command, walk.step_duration, luck));
     gait.mean.x += one.x / kLucks, gait.mean.y += one.y / kLucks, gait.mean.turn += one.turn / kLucks;
     squares.x += one.x * one.x / kLucks, squares.y += one.y * one.y / kLucks;
     squares.turn += one.turn * one.turn / kLucks;
@@ -165,8 +167,9 @@ std::vector<WalkRates> mean_walk(const Walk& walk, const std::vector<Command>& c
     for (std::size_t i = 0; i < commands.size(); ++i) {
       const bool begins = begun >= 1 || i == 0;
       if (begun >= 1) begun -= 1;
+      // a body that begins to walk within a step takes what is left of it; steps begin with a tick, half a tick later on average
+      const WalkRates moved = legs.move(commands[i], begins, (1 - begun) * walk.step_duration + kWalkTick / 2);
       begun += a_tick;
-      const WalkRates moved = legs.move(commands[i], begins);
       rates[i].x += moved.x / kStepPhases, rates[i].y += moved.y / kStepPhases,
           rates[i].turn += moved.turn / kStepPhases;
     }
