@@ -25,7 +25,7 @@ using io::Json;
 using robot::Error;
 using robot::Result;
 
-constexpr double kSimulatedASecond = 4500;  // [s] by one core, measured with drills of models `match`
+constexpr double kSimulatedASecond = 9000;  // [s] by one core, measured with runs of all layers
 constexpr double kTuned = 0.5;              // of a layer's budget for its numbers
 constexpr double kGrown = 0.3;              // for its structure
 constexpr double kGuarded = 0.2;            // for whole games before and after
@@ -82,7 +82,7 @@ std::string specification_of(const LearnChoice& choice, const Json& start, const
   for (const Layer& layer : layers)
     for (const auto& [name, weight] : layer.exercises)
       if (name != kGame) drills.push_back(name);
-  const Json json = {{"format", 3},
+  const Json json = {{"format", 4},
                      {"strategy", hex(hash_of_text(start.dump()))},
                      {"layers", hashes_of("layers", choice.layers)},
                      {"drills", hashes_of("drills", drills)},
@@ -188,11 +188,11 @@ class Learning {
   }
 
   TuningPlan tuning_plan(const Layer& layer, const Arena& arena, double seconds) const {
-    // a generation has about 12 candidates; the rounds of the selection cost about as much as thirteen generations
+    // a generation has about 12 candidates; the selection and its tests cost about as much as 20 generations
     const double share = layer.actions.empty() ? kTuned + kGrown : kTuned;
-    const double candidates = kGenerations * 12 + 13 * 12;
+    const double candidates = kGenerations * 12 + 20 * 12;
     const int attempts = fitting(arena, share * seconds / candidates);
-    return {.generations = kGenerations, .attempts = attempts, .selection = 6 * attempts};
+    return {.generations = kGenerations, .attempts = attempts, .selection = 4 * attempts, .test = 30 * attempts};
   }
 
   GrowingPlan growing_plan(const Layer& layer, const Arena& arena, double seconds) const {

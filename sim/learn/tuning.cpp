@@ -155,7 +155,7 @@ class Tuning {
     for (const Scores& scores : *first) costs.push_back(-practice_.arena.value_of(scores));
     const auto best = static_cast<std::size_t>(std::ranges::min_element(costs) - costs.begin());
 
-    const auto second = practice_.play({start_, strategies[best]}, Purpose::selection, plan_.selection);
+    const auto second = practice_.play({start_, strategies[best]}, Purpose::selection, plan_.test);
     if (!second) return second.failure();
     learned.gain = practice_.arena.gain_of((*second)[0], (*second)[1]);
     learned.notes.push_back(robot::formatted("tuned %zu numbers in %d generations: gain %+.3f ± %.3f%s", knobs_.size(),
@@ -185,8 +185,7 @@ class Tuning {
       if (worth.mean < kClear * worth.error) simple[changed[k]] = knobs_[changed[k]].value;
     }
     if (simple == values) return learned;
-    const auto test =
-        practice_.play({start_, learned.strategy, strategy_at(simple)}, Purpose::selection, plan_.selection);
+    const auto test = practice_.play({start_, learned.strategy, strategy_at(simple)}, Purpose::selection, plan_.test);
     if (!test) return test.failure();
     const contest::Mean gain = practice_.arena.gain_of((*test)[0], (*test)[2]);
     const contest::Mean lost = practice_.arena.gain_of((*test)[2], (*test)[1]);

@@ -9,7 +9,8 @@ namespace sim::learn {
 struct TuningPlan {
   int generations = 20;
   int attempts = 100;   // seeds of a candidate in a generation, which all candidates share
-  int selection = 600;  // seeds of each of the two rounds that choose the result
+  int selection = 400;  // seeds of the round that chooses among the last candidates
+  int test = 3000;      // seeds of the test of the choice, which only two or three strategies play
 };
 
 /// Tunes the knobs of the layer that make a difference in its exercises. Numbers whose change is worth nothing keep their

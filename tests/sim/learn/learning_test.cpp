@@ -67,7 +67,7 @@ TEST_F(Striker, TunesAMarkedNumber) {
   io::Json kicks = start_;
   kicks["tree"][2]["do"] = "kick";
   kicks["tree"][2]["with"] = {{"range", "5 m"}, {"tolerance", "$tolerance"}};
-  const auto tuned = tune(kicks, striker(), {.generations = 6, .attempts = 40, .selection = 300}, 1, practice_);
+  const auto tuned = tune(kicks, striker(), {.generations = 6, .attempts = 40, .selection = 200, .test = 300}, 1, practice_);
   ASSERT_TRUE(tuned) << tuned.error();
   ASSERT_FALSE(tuned->changes.empty());
   EXPECT_EQ(text_of(tuned->changes[0]).substr(0, 23), "tolerance: 160 deg → ");
