@@ -105,14 +105,17 @@ Result<Term> parse_term(std::string_view text, Values& values) {
 }  // namespace
 
 std::string text_of(const Term& term) {
+  return text_of(term, value_text(term.threshold, expected_of(info_of(term.feature))));
+}
+
+std::string text_of(const Term& term, const std::string& threshold) {
   const FeatureInfo& info = info_of(term.feature);
   std::string name = info.name;
   if (info.kind == FeatureInfo::Kind::yes_no) return (term.comparison == Comparison::greater ? "" : "not ") + name;
   for (const Operator& each : kOperators)
     if (each.comparison == term.comparison)
       return name + " " + std::string(trimmed(each.text)) + " " +
-             (term.other == agent::kNoFeature ? value_text(term.threshold, expected_of(info))
-                                              : info_of(term.other).name);
+             (term.other == agent::kNoFeature ? threshold : info_of(term.other).name);
   return name;
 }
 

@@ -30,6 +30,9 @@ inline constexpr std::size_t kMaxConditionBytes = 1000;
 /// Returns the comparison as text, which parse_condition reads back identically: "ball_distance < 0.35 m".
 std::string text_of(const Term& term);
 
+/// Returns the comparison with this text for its threshold.
+std::string text_of(const Term& term, const std::string& threshold);
+
 /// Parses a condition. The Error is the end of a sentence that begins with the place of the condition.
 robot::Result<Condition> parse_condition(std::string_view text, Values& values);
 

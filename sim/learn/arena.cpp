@@ -5,7 +5,6 @@
 #include <mutex>
 
 #include "robot/core/json_library.h"
-#include "sim/agent/tree.h"
 #include "sim/drills/trials.h"
 #include "sim/io/matchup.h"
 #include "sim/io/strategy.h"
@@ -73,17 +72,8 @@ std::size_t begin_of(std::size_t attempts, std::size_t variant, std::size_t vari
   return attempts * variant / variants;
 }
 
-/// Some attempts at one exercise by one strategy.
-struct Task {
-  std::size_t strategy = 0, exercise = 0;
-  int from = 0;  // the first of its attempts
-  std::uint64_t seed = 0;
-  std::uint64_t key = 0;  // in the ledger
-  std::vector<Score> scores;
-};
-
 /// Plays the attempts of a task, those with the same parameters side by side.
-void play_drill(const Arena::Exercise& exercise, const agent::Behaviour& strategy, Task& task) {
+void play_drill(const Arena::Exercise& exercise, const agent::Behaviour& strategy, Arena::Task& task) {
   const std::size_t variants = exercise.params.size();
   for (std::size_t variant = 0; variant < variants; ++variant) {
     Params params = exercise.params[variant];
@@ -97,7 +87,7 @@ void play_drill(const Arena::Exercise& exercise, const agent::Behaviour& strateg
 }
 
 /// Plays whole games: half of them at home, half away.
-void play_matches(const Arena::Exercise& exercise, const agent::Behaviour& strategy, Task& task) {
+void play_matches(const Arena::Exercise& exercise, const agent::Behaviour& strategy, Arena::Task& task) {
   const std::size_t variants = 2 * exercise.params.size();
   for (std::size_t variant = 0; variant < variants; ++variant) {
     const auto own = variant % 2;
@@ -166,45 +156,57 @@ double Arena::cost_of(int count) const {
 }
 
 Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::uint64_t first_seed, int count) {
-  const auto take_known = [&](Task& task) {
-    const std::vector<Score>* const known = ledger_->find(task.key);
-    if (!known || known->size() != task.scores.size()) return false;
-    task.scores = *known;
-    return true;
-  };
   std::vector<std::unique_ptr<agent::TreeBehaviour>> trees;
   std::vector<Scores> all;
   std::vector<Task> tasks;
-  for (std::size_t s = 0; s < strategies.size(); ++s) {
-    const std::string text = strategies[s].dump();
+  for (const Json& strategy : strategies) {
+    const std::string text = strategy.dump();
     auto tree = io::parse_strategy(text, "learned strategy");
     if (!tree) return tree.failure();
     trees.push_back(std::make_unique<agent::TreeBehaviour>(*std::move(tree)));
+    add_tasks(trees.size() - 1, hash_of_text(text), first_seed, count, tasks);
     Scores& scores = all.emplace_back();
-    for (std::size_t e = 0; e < exercises_.size(); ++e) {
-      const int attempts = attempts_of(e, count);
-      scores.emplace_back(static_cast<std::size_t>(attempts));
-      for (int from = 0; from < attempts; from += kChunk) {
-        Task task{.strategy = s,
-                  .exercise = e,
-                  .from = from,
-                  .seed = first_seed + static_cast<std::uint64_t>(from),
-                  .scores = std::vector<Score>(static_cast<std::size_t>(std::min(kChunk, attempts - from)))};
-        Hash key;
-        for (const std::uint64_t part : {world_hash_, hash_of_text(text), hash_of_text(exercises_[e].name), task.seed,
-                                         static_cast<std::uint64_t>(task.scores.size())})
-          key.add(part);
-        task.key = key.value();
-        tasks.push_back(std::move(task));
-      }
+    for (std::size_t e = 0; e < exercises_.size(); ++e)
+      scores.emplace_back(static_cast<std::size_t>(attempts_of(e, count)));
+  }
+  if (auto played = play_tasks(trees, tasks); !played) return played.failure();
+  for (const Task& task : tasks) std::ranges::copy(task.scores, all[task.strategy][task.exercise].begin() + task.from);
+  return all;
+}
+
+void Arena::add_tasks(std::size_t strategy, std::uint64_t hash, std::uint64_t first_seed, int count,
+                      std::vector<Task>& tasks) const {
+  for (std::size_t e = 0; e < exercises_.size(); ++e) {
+    const int attempts = attempts_of(e, count);
+    for (int from = 0; from < attempts; from += kChunk) {
+      Task task{.strategy = strategy,
+                .exercise = e,
+                .from = from,
+                .seed = first_seed + static_cast<std::uint64_t>(from),
+                .scores = std::vector<Score>(static_cast<std::size_t>(std::min(kChunk, attempts - from)))};
+      Hash key;
+      for (const std::uint64_t part : {world_hash_, hash, hash_of_text(exercises_[e].name), task.seed,
+                                       static_cast<std::uint64_t>(task.scores.size())})
+        key.add(part);
+      task.key = key.value();
+      tasks.push_back(std::move(task));
     }
   }
+}
 
-  // tasks that neither this process nor another one has played
+bool Arena::take_known(Task& task) const {
+  const std::vector<Score>* const known = ledger_->find(task.key);
+  if (!known || known->size() != task.scores.size()) return false;
+  task.scores = *known;
+  return true;
+}
+
+Result<void> Arena::play_tasks(const std::vector<std::unique_ptr<agent::TreeBehaviour>>& trees,
+                               std::vector<Task>& tasks) {
   std::vector<Task*> open;
   for (const std::size_t place : order_of(tasks.size(), ledger_->share()))
     if (!take_known(tasks[place])) open.push_back(&tasks[place]);
-  std::mutex lock;
+  std::mutex lock;  // of the ledger
   contest::Problem problem;
   contest::for_each_game(static_cast<int>(open.size()), threads_, [&](int index) {
     Task& task = *open[static_cast<std::size_t>(index)];
@@ -212,7 +214,7 @@ Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::u
     {
       const std::lock_guard guard(lock);
       if (auto read = ledger_->refresh(); !read) return problem.tell(read.error());
-      if (take_known(task)) return;
+      if (take_known(task)) return;  // another process was quicker
     }
     const agent::Behaviour& strategy = *trees[task.strategy];
     const Exercise& exercise = exercises_[task.exercise];
@@ -222,8 +224,7 @@ Result<std::vector<Scores>> Arena::play(std::span<const Json> strategies, std::u
     if (auto added = ledger_->add(task.key, task.scores); !added) problem.tell(added.error());
   });
   if (problem.is_known()) return robot::Error{problem.text()};
-  for (const Task& task : tasks) std::ranges::copy(task.scores, all[task.strategy][task.exercise].begin() + task.from);
-  return all;
+  return {};
 }
 
 template <class Value>

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot/core/result.h"
+#include "sim/agent/tree.h"
 #include "sim/contest/conditions.h"
 #include "sim/contest/series.h"
 #include "sim/drills/starts.h"
@@ -68,8 +69,25 @@ class Arena {
   };
   const Exercise& exercise(std::size_t index) const { return exercises_[index]; }
 
+  /// Some attempts at one exercise by one strategy.
+  struct Task {
+    std::size_t strategy = 0, exercise = 0;
+    int from = 0;  // the first of its attempts
+    std::uint64_t seed = 0;
+    std::uint64_t key = 0;  // in the ledger
+    std::vector<Score> scores;
+  };
+
  private:
   Arena(Ledger& ledger, int threads) : ledger_(&ledger), threads_(threads) {}
+  /// Adds the tasks of a strategy, whose text has this hash.
+  void add_tasks(std::size_t strategy, std::uint64_t hash, std::uint64_t first_seed, int count,
+                 std::vector<Task>& tasks) const;
+  /// Takes the scores from the ledger, if they are there.
+  bool take_known(Task& task) const;
+  /// Plays the tasks that neither this process nor another one of the run has played.
+  robot::Result<void> play_tasks(const std::vector<std::unique_ptr<agent::TreeBehaviour>>& trees,
+                                 std::vector<Task>& tasks);
   /// Returns the weighted mean over the exercises of the means of value(exercise).
   template <class Value>
   contest::Mean weighted(Value&& value) const;

@@ -87,7 +87,9 @@ Json with_action(Json strategy, const std::string& pointer, const Json& action) 
 
 Json with_split(Json strategy, const std::string& pointer, const std::string& condition, const Json& action) {
   Json& rule = strategy.at(Pointer(pointer));
-  Json added = {{"name", name_of_rule(rule) + ", " + condition}, {"if", condition}};
+  // the name must stay true when the threshold is tuned
+  const std::string feature = condition.substr(0, condition.find(' '));
+  Json added = {{"name", name_of_rule(rule) + ", by " + feature}, {"if", condition}};
   put_action(action, added);
   if (rule.contains("if")) {
     // the new rule stands within the condition of the old one

@@ -162,20 +162,17 @@ class Finder {
   std::vector<Knob> direct_;
 };
 
-/// Returns the condition with another threshold in one comparison.
-std::string with_threshold(const std::string& condition, const Json& parameters, int number, float threshold) {
+/// Returns the condition with another text for the threshold of one comparison.
+std::string with_threshold(const std::string& condition, const Json& parameters, int number,
+                           const std::string& threshold) {
   io::Values values(parameters);
-  auto parsed = io::parse_condition(condition, values);
+  const auto parsed = io::parse_condition(condition, values);
   if (!parsed) return condition;
   std::vector<std::string> alternatives;
   int at = 0;
-  for (auto& terms : parsed->alternatives) {
+  for (const auto& terms : parsed->alternatives) {
     std::vector<std::string> texts;
-    for (io::Term& term : terms) {
-      const bool changed = at++ == number;
-      if (changed) term.threshold = threshold;
-      texts.push_back(changed ? io::text_of(term) : term.text);
-    }
+    for (const io::Term& term : terms) texts.push_back(at++ == number ? io::text_of(term, threshold) : term.text);
     alternatives.push_back(robot::joined(texts, " and "));
   }
   return robot::joined(alternatives, " or ");
@@ -217,7 +214,7 @@ Json with_values(Json strategy, std::span<const Knob> knobs, std::span<const flo
     Json& place = strategy.at(Json::json_pointer(knob.place));
     Json& text = place.is_object() ? place["value"] : place;
     if (knob.term >= 0)
-      text = with_threshold(text.get<std::string>(), parameters, knob.term, values[i]);
+      text = with_threshold(text.get<std::string>(), parameters, knob.term, text_of(knob, values[i]));
     else if (*knob.expected.unit)
       text = text_of(knob, values[i]);
     else

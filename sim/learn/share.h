@@ -6,8 +6,8 @@
 
 namespace sim::learn {
 
-/// One of the processes that play a run together, perhaps on several machines. All of them do the same, and differ only in
-/// the order in which they take up their tasks; so none waits for another, and none is missed when it dies.
+/// One of the processes that play a run together, perhaps on several machines. All of them do the same, but take up their
+/// tasks in different orders. So no process waits for another, and a dead one is not missed.
 struct Share {
   int number = 0;  // 0 .. of - 1; the first one plays the gate and reports
   int of = 1;

@@ -69,7 +69,7 @@ async function inGames(report, minutes) {
 function control(report, runs) {
   let passed = 0;
   for (let run = 0; run < runs; ++run) {
-    const words = ["--layers", "kick,role", "--budget", "20s", "--control", "--most-pairs", "400", "--unseen", ""];
+    const words = ["--layers", "kick", "--budget", "5s", "--control", "--most-pairs", "400", "--unseen", ""];
     const { report: answer } = learn("control", [...words, "--seed", String(100 + run)]);
     passed += answer.better ? 1 : 0;
   }

@@ -110,6 +110,18 @@ TEST(Knobs, AnglesAreWrittenInDegrees) {
   EXPECT_EQ(text_of(knob(knobs, "near"), 0.25f), "0.25 m");
 }
 
+TEST(Knobs, AnAngleInAConditionIsWrittenInDegrees) {
+  const auto knobs = *knobs_of(small());
+  std::vector<float> values;
+  for (const Knob& each : knobs) values.push_back(each.value);
+  const std::vector<float> before = values;
+  for (std::size_t i = 0; i < knobs.size(); ++i)
+    if (knobs[i].name == "close: line_error") values[i] = 0.46251225f;
+  ASSERT_NE(values, before);
+  EXPECT_EQ(with_values(small(), knobs, values)["tree"][1]["if"],
+            "ball_distance < $near and not ball_age > 2 s or line_error < 26.5 deg");
+}
+
 TEST(Knobs, RoundedValuesHaveFewDigits) {
   const auto knobs = *knobs_of(small());
   // a hundredth of 1.3 m is 0.013 m: steps of 0.01 m

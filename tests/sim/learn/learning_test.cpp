@@ -67,7 +67,8 @@ TEST_F(Striker, TunesAMarkedNumber) {
   io::Json kicks = start_;
   kicks["tree"][2]["do"] = "kick";
   kicks["tree"][2]["with"] = {{"range", "5 m"}, {"tolerance", "$tolerance"}};
-  const auto tuned = tune(kicks, striker(), {.generations = 6, .attempts = 40, .selection = 200, .test = 300}, 1, practice_);
+  const auto tuned =
+      tune(kicks, striker(), {.generations = 6, .attempts = 40, .selection = 200, .test = 300}, 1, practice_);
   ASSERT_TRUE(tuned) << tuned.error();
   ASSERT_FALSE(tuned->changes.empty());
   EXPECT_EQ(text_of(tuned->changes[0]).substr(0, 23), "tolerance: 160 deg → ");
@@ -152,7 +153,7 @@ TEST(Learning, ProcessesThatShareARunLearnWhatOneLearns) {
   EXPECT_TRUE((*courses[1])->gate.empty());
   for (std::size_t i = 0; i < alone->gate.size(); ++i)
     EXPECT_EQ((*courses[0])->gate[i].outcome.tally.gain, alone->gate[i].outcome.tally.gain);
-  // what was played is known: a fourth process adds nothing
+  // a fourth process finds all results and adds nothing
   choice.share = {3, 4};
   ASSERT_TRUE(learn(choice, kSilent));
   EXPECT_EQ(std::filesystem::file_size(choice.folder / "ledger-3.txt"), 0u);
