@@ -121,7 +121,7 @@ class LearnCommand final : public Command {
     if (unit == 'h') choice_.minutes *= 60;
     if (!good || !(choice_.minutes > 0 && choice_.minutes <= 6000))
       return "--budget must be a time such as 90s, 10m or 2h, at most 100h, got '" + budget_ + "'";
-    if (const std::string wrong = read_share(); !wrong.empty()) return wrong;
+    if (std::string wrong = read_share(); !wrong.empty()) return wrong;
     choice_.name = out_.empty() ? "learned" : std::filesystem::path(out_).stem().string();
     return "";
   }

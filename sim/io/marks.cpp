@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 #include "sim/io/vocabulary.h"
 
 namespace sim::io {
@@ -28,7 +29,8 @@ class Cleaner {
     if (mark != json.end() && json.contains("value") && !json.contains("unit")) return json["value"];
     Json cleaned = Json::object();
     for (const auto& [key, value] : json.items())
-      if (key != kLearn) cleaned[key] = clean(value, place.empty() ? key : place + "." + key);
+      if (key != kLearn)
+        cleaned[key] = clean(value, place.empty() ? key : robot::formatted("%s.%s", place.c_str(), key.c_str()));
     return cleaned;
   }
 
