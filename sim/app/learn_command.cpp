@@ -19,7 +19,6 @@ namespace sim::app {
 namespace {
 
 constexpr int kNotBetter = 1;
-constexpr int kMostTasks = 1000;  // Slurm's usual limit
 
 class LearnCommand final : public Command {
  public:
@@ -74,7 +73,7 @@ class LearnCommand final : public Command {
         ->capture_default_str();
     options()
         .add_option("--tasks", tasks_, "number of a cluster's jobs")
-        ->check(CLI::Range(1, kMostTasks))
+        ->check(CLI::Range(1, contest::kMostTasks))
         ->capture_default_str();
     options().add_flag("--control", choice_.shuffled, "deal the rewards by chance: nothing may be learned");
     options().add_flag("--json", json_, "report as JSON");
@@ -133,8 +132,9 @@ class LearnCommand final : public Command {
     auto& [number, of] = choice_.share;
     int used = 0;
     const int read = std::sscanf(share_.c_str(), "%d/%d%n", &number, &of, &used);
-    if (read != 2 || used != static_cast<int>(share_.size()) || number < 0 || number >= of || of > kMostTasks)
-      return robot::formatted("--share must be K/N with 0 <= K < N <= %d, got '%s'", kMostTasks, share_.c_str());
+    if (read != 2 || used != static_cast<int>(share_.size()) || number < 0 || number >= of || of > contest::kMostTasks)
+      return robot::formatted("--share must be K/N with 0 <= K < N <= %d, got '%s'", contest::kMostTasks,
+                              share_.c_str());
     return choice_.folder.empty() ? "--share needs --from, the folder of the run" : "";
   }
 

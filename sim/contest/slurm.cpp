@@ -16,7 +16,6 @@ using robot::Error;
 using robot::Result;
 
 constexpr double kTaskSeconds = 60;  // [s] shortest task: Slurm needs about half a second to start one
-constexpr std::int64_t kMostTasks = 1000;
 
 std::string quoted(const std::string& word) {
   std::string all = "'";

@@ -11,6 +11,9 @@
 
 namespace sim::contest {
 
+/// The most tasks of an array: Slurm's usual limit.
+inline constexpr int kMostTasks = 1000;
+
 /// The division of a run's blocks into tasks.
 struct Division {
   std::int64_t blocks = 0;
@@ -19,7 +22,7 @@ struct Division {
   std::int64_t tasks() const { return (blocks + blocks_per_task - 1) / blocks_per_task; }
 };
 
-/// Divides a run so that a task plays for at least a minute, with at most 1000 tasks: Slurm's usual limit.
+/// Divides a run so that a task plays for at least a minute, with at most kMostTasks tasks.
 Division divide(std::int64_t blocks, double seconds_per_block);
 
 /// Return the scripts of the array and of the job that merges. `words` is this command line without the engine.

@@ -67,19 +67,14 @@ Result<Arena::Exercise> drill_of(const std::string& name, const World& world) {
   return exercise;
 }
 
-/// Returns the first attempt of a task that has a variant.
-std::size_t begin_of(std::size_t attempts, std::size_t variant, std::size_t variants) {
-  return attempts * variant / variants;
-}
-
 /// Plays the attempts of a task, those with the same parameters side by side.
 void play_drill(const Arena::Exercise& exercise, const agent::Behaviour& strategy, Arena::Task& task) {
   const std::size_t variants = exercise.params.size();
   for (std::size_t variant = 0; variant < variants; ++variant) {
     Params params = exercise.params[variant];
     params.teams[0].behaviour = &strategy;
-    const std::size_t from = begin_of(task.scores.size(), variant, variants),
-                      to = begin_of(task.scores.size(), variant + 1, variants);
+    const std::size_t from = begin_of_part(task.scores.size(), variant, variants),
+                      to = begin_of_part(task.scores.size(), variant + 1, variants);
     std::vector<drills::Ended> ended(to - from);
     drills::play_attempts(*exercise.drill, *exercise.starts, params, task.seed + from, ended);
     for (std::size_t i = from; i < to; ++i) task.scores[i] = {ended[i - from].score, ended[i - from].succeeded};
@@ -111,7 +106,7 @@ std::size_t variant_of(int attempt, int attempts, std::size_t variants) {
   const auto place = static_cast<std::size_t>(attempt % kChunk);
   const auto size = static_cast<std::size_t>(std::min(kChunk, attempts - (attempt - attempt % kChunk)));
   std::size_t variant = 0;
-  while (begin_of(size, variant + 1, variants) <= place) ++variant;
+  while (begin_of_part(size, variant + 1, variants) <= place) ++variant;
   return variant;
 }
 

@@ -293,8 +293,11 @@ class Learning {
   /// Plays this process's part of a run whose length is known. The first process finds the blocks, and plays the rest.
   Result<void> help(const contest::Comparison& comparison, const contest::ContestOptions& options,
                     const contest::RunFolder& folder) const {
-    const std::int64_t blocks = options.most_blocks();
-    const auto begin_of = [&](int number) { return blocks * number / choice_.share.of; };
+    const auto begin_of = [&](int number) {
+      return static_cast<std::int64_t>(begin_of_part(static_cast<std::size_t>(options.most_blocks()),
+                                                     static_cast<std::size_t>(number),
+                                                     static_cast<std::size_t>(choice_.share.of)));
+    };
     return contest::play_blocks(comparison, begin_of(choice_.share.number), begin_of(choice_.share.number + 1),
                                 options.jobs, folder);
   }

@@ -15,6 +15,11 @@ struct Share {
   bool is_first() const { return number == 0; }
 };
 
+/// Returns where part `part` begins if `total` things in a row are dealt to `parts` parts.
+constexpr std::size_t begin_of_part(std::size_t total, std::size_t part, std::size_t parts) {
+  return total * part / parts;
+}
+
 /// Returns the numbers 0 .. tasks - 1 in the order in which a process takes them up: its own part of them forwards, then the
 /// others' parts backwards, since their owners begin at the front.
 std::vector<std::size_t> order_of(std::size_t tasks, Share share);
