@@ -20,9 +20,10 @@ step() {
   [[ $outcome == passed ]]
 }
 
-# beside NAME COMMAND…: begins a command that takes only the processor time that all others leave. `awaited NAME` waits for
-# its end, and prints what it said.
+# beside NAME COMMAND…: begins a command that takes only the processor time that all others leave, once those begun before
+# it have ended. `awaited NAME` waits for its end, and prints what it said.
 declare -A beside_pids
+beside_last=''
 beside() {
   local name=$1 last=(chrt -i 0)
   shift
@@ -30,9 +31,12 @@ beside() {
   # Linux first shares the processor among sessions (sched(7), autogroup), and Chromium makes one of its own. So the command
   # gets a session too, and a priority for it. The session is also a process group, which can be ended whole.
   # shellcheck disable=SC2016  # for the inner shell
-  setsid bash -c '(echo 19 >/proc/self/autogroup) 2>/dev/null; exec "$@"' bash "${last[@]}" "$@" \
+  setsid bash -c '(echo 19 >/proc/self/autogroup) 2>/dev/null
+    if [[ -n $1 ]]; then tail -s 0.1 --pid="$1" -f /dev/null; fi
+    exec "${@:2}"' bash "$beside_last" "${last[@]}" "$@" \
     >"$results/$name.beside.txt" 2>&1 </dev/null &
-  beside_pids[$name]=$!
+  beside_last=$!
+  beside_pids[$name]=$beside_last
   trap end_those_beside EXIT
 }
 awaited() {

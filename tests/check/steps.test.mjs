@@ -58,6 +58,13 @@ test("what runs beside is awaited: its words and its status", () => {
   assert.deepEqual([lines[0], ...lines.slice(-2)], ["words", "0", "1"]);
 });
 
+test("what runs beside runs one after the other, in the order of its begin", () => {
+  const lines = linesOf(`results=$(mktemp -d); cd "$results"
+    beside first bash -c 'sleep 0.3; echo first >>order'; beside second bash -c 'echo second >>order'
+    beside third bash -c 'echo third >>order'; awaited third; cat order; rm -r $results`);
+  assert.deepEqual(lines, ["first", "second", "third"]);
+});
+
 test("what runs beside ends with the script", async () => {
   const [pid] = linesOf(`results=$(mktemp -d); beside long bash -c 'sleep 1000 & wait'; sleep 0.2
     rm -r $results; echo \${beside_pids[long]}`);

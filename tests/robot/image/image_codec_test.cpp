@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <random>
 
 namespace robot::image {
 namespace {
@@ -47,6 +48,28 @@ TEST(Jpeg, DecodesToAlmostTheSamePicture) {
       const std::size_t at = static_cast<std::size_t>(y) * 640 + static_cast<std::size_t>(byte);
       ASSERT_LE(difference(decoded->yuyv[at], picture[at]), 6) << "row " << y << " byte " << byte;
     }
+}
+
+/// A picture of noise, which is the hardest to compress.
+std::string noise(int width, int height) {
+  std::mt19937 random(1);
+  std::string yuyv(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 2, '\0');
+  for (char& value : yuyv) value = static_cast<char>(random());
+  return yuyv;
+}
+
+TEST(Jpeg, EncodesNoiseOfAnySizeAtTheHighestQuality) {
+  for (const int width : {4, 8, 12, 16, 20, 100, 640})
+    for (const int height : {2, 6, 8, 10, 30, 480})
+      for (const int quality : {1, 95, 96, 100}) {
+        const Result<std::string> jpeg = encode_jpeg(noise(width, height), width, height, {.quality = quality});
+        ASSERT_TRUE(jpeg) << jpeg.error();
+        EXPECT_LT(jpeg->size(), static_cast<std::size_t>(4 * (width + 15) * (height + 7) + 2048));
+        const Result<YuyvImage> decoded = decode_jpeg(*jpeg);
+        ASSERT_TRUE(decoded) << decoded.error();
+        EXPECT_EQ(decoded->width, width);
+        EXPECT_EQ(decoded->height, height);
+      }
 }
 
 TEST(Jpeg, HalvesAPictureByMeansOfItsPixels) {
