@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
+import { setTimeout as sleep } from "node:timers/promises";
 import { kPhone, open, shoot } from "./browser.mjs";
 import { decode, Live, playbackControl } from "./live.mjs";
 import { readSession } from "./mcap.mjs";
@@ -49,10 +50,15 @@ async function pressStrip(page, share) {
   const box = await page.getByLabel("Timeline").boundingBox();
   await page.mouse.click(box.x + share * box.width, box.y + box.height / 2);
 }
-/** Waits until the address has a moment that `is` accepts, and returns it. */
+/** Waits until the address has a moment that `is` accepts and that stays, and returns it. */
 const moment = (page, what, is = (ns) => ns > 0n) =>
   until(
-    () => is(at(page)) && at(page),
+    async () => {
+      const seen = at(page);
+      if (!is(seen)) return false;
+      await sleep(500);
+      return at(page) === seen && seen;
+    },
     what,
     undefined,
     () => page.url(),

@@ -78,9 +78,11 @@ test("a calibrated sensor learns the empty field from its next images", async (t
 
 test("a sensor is calibrated by clicks, and the calibration is used at once and after a restart", async (t) => {
   const folder = temporaryFolder(t);
-  const exact = await Live.open(t, await watchField(t, "--source", "synthetic", "--seed", "7"));
+  const first = await watchField(t, "--source", "synthetic", "--seed", "7");
+  const exact = await Live.open(t, first);
   await exact.subscribe("/truth/1/sensor");
   const known = await until_(exact, "/truth/1/sensor", ({ place }) => place, "the place of the sensor");
+  await first.stop();
 
   const file = join(folder, "lab.json");
   const server = await watchField(t, "--source", "synthetic", "--seed", "7", "--calibration", file);
@@ -111,6 +113,7 @@ test("a sensor is calibrated by clicks, and the calibration is used at once and 
   for (const axis of ["x", "y", "z"]) assert.ok(Math.abs(good.place[axis] - known.place[axis]) < 0.05, axis);
   await until_(live, "/truth/1/sensor", ({ place }) => place, "the sensor uses the calibration");
   assert.equal(JSON.parse(readFileSync(file, "utf8")).sensors.length, 1);
+  await server.stop();
 
   const again = await Live.open(t, await watchField(t, "--source", "synthetic", "--calibration", file));
   await again.subscribe("/truth/1/sensor");

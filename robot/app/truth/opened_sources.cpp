@@ -110,7 +110,8 @@ Result<void> OpenedSources::open_synthetic() {
     auto scene_at = [&looked = *game_, width = double{rules_.field.width}, radius = ball_radius_](
                         std::uint64_t capture_ns) { return scene_of(looked.at(capture_ns), radius, width); };
     const truth::Surroundings surroundings{.field = rules_.field};
-    const truth::SyntheticOptions at{.address = address, .first_capture_ns = begin_ns};
+    const truth::SyntheticOptions at{
+        .address = address, .first_capture_ns = begin_ns, .now_ns = [clock = clock_.get()] { return clock->now_ns(); }};
     auto source = std::make_unique<truth::SyntheticSensor>(pose, surroundings, std::move(scene_at), at);
     const bool exact = options_.calibration.empty();
     sources_.push_back(

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "sim/math/tick.h"
 #include "sim/motion/gait.h"
@@ -16,7 +17,6 @@ namespace {
 using sim::motion::Command, sim::motion::Gait, sim::motion::Luck, sim::motion::Walk;
 
 constexpr std::size_t kLucks = 16;  // equally likely
-constexpr int kStepPhases = 4;
 constexpr float kWalkTick = sim::kTickDuration;
 
 /// Returns the means of the sixteenths of the triangular distribution with standard deviation 1 (sim/motion/luck.h), scaled to
@@ -61,19 +61,18 @@ WalkRates gait_rates_of(const Gait& gait) { return {gait.velocity.x, gait.veloci
 /// A body without a place, as in sim/motion/walk.cpp.
 class Legs {
  public:
-  Legs(const Walk& walk, const std::array<Luck, kLucks>& lucks, bool walks)
-      : walk_(walk), lucks_(lucks), doing_(walks ? Doing::walking : Doing::standing) {}
+  Legs(const Walk& walk, bool walks) : walk_(walk), doing_(walks ? Doing::walking : Doing::standing) {}
 
-  /// Moves for one tick, at whose beginning a step may begin. The next one begins in `until_next` seconds. Returns the mean
-  /// rates.
-  WalkRates move(const Command& command, bool begins, float until_next) {
+  /// Moves for one tick, at whose beginning a step with that luck may begin. The next one begins in `until_next` seconds.
+  /// Returns the mean rates.
+  WalkRates move(const Command& command, const Luck& luck, bool begins, float until_next) {
     const bool moves = velocity_ != sim::Vec2{} || turn_rate_ != 0;
     const bool in_step = doing_ == Doing::walking || (doing_ == Doing::stopping && moves);
     float moving = kWalkTick;  // [s] of the tick
     if (!in_step || begins) {
       moving = asks_to_walk(command) ? go() : halt(moves);
       if (moving <= 0) return {};
-      wanted_ = doing_ == Doing::walking ? gait_of(command, until_next) : Gait{};
+      wanted_ = doing_ == Doing::walking ? gait_with(walk_, command, until_next, luck) : Gait{};
     }
     if (doing_ == Doing::stopping) since_ += kWalkTick;
     const auto velocity = sim::motion::approach(velocity_, wanted_.velocity, walk_.acceleration * moving);
@@ -106,29 +105,23 @@ class Legs {
     return doing_ == Doing::stopping ? kWalkTick : 0;
   }
 
-  Gait gait_of(const Command& command, float dt) {
-    if (dt == told_dt_ && command == told_) return told_gait_;
-    Gait mean;
-    for (const Luck& luck : lucks_) {
-      const Gait one = gait_with(walk_, command, dt, luck);
-      mean.velocity += 1.f / kLucks * one.velocity;
-      mean.turn_rate += one.turn_rate / kLucks;
-    }
-    told_dt_ = dt, told_ = command, told_gait_ = mean;
-    return mean;
-  }
-
   const Walk& walk_;
-  const std::array<Luck, kLucks>& lucks_;
   Doing doing_;
   float since_ = 0;  // [s] in `doing_`
   sim::Vec2 velocity_;
   float turn_rate_ = 0;
-  Gait wanted_;        // of the present step
-  float told_dt_ = 0;  // [s] of `told_gait_`; 0: none yet
-  Command told_;
-  Gait told_gait_;
+  Gait wanted_;  // of the present step
 };
+
+/// Returns which luck a body has in a step. In each step all bodies have different ones, and from step to step they are as
+/// if drawn.
+std::size_t luck_of(std::size_t body, std::uint32_t step) {
+  // a finalizer of murmur3: its bits are as if drawn
+  std::uint32_t drawn = (step + 1) * 0x9e3779b9U;
+  drawn = (drawn ^ (drawn >> 16)) * 0x85ebca6bU;
+  drawn ^= drawn >> 13;
+  return (body * (2 * (drawn & 7U) + 1) + (drawn >> 3)) % kLucks;
+}
 
 }  // namespace
 
@@ -161,17 +154,18 @@ std::vector<WalkRates> mean_walk(const Walk& walk, const std::vector<Command>& c
   std::vector<WalkRates> rates(commands.size());
   const std::array<Luck, kLucks> lucks = lucks_of(walk);
   const float a_tick = kWalkTick / walk.step_duration;
-  for (int phase = 0; phase < kStepPhases; ++phase) {
-    Legs legs(walk, lucks, !commands.empty() && asks_to_walk(commands.front()));
-    float begun = (static_cast<float>(phase) + 0.5f) / kStepPhases;  // [steps]
+  for (std::size_t body = 0; body < kLucks; ++body) {
+    Legs legs(walk, !commands.empty() && asks_to_walk(commands.front()));
+    float begun = (static_cast<float>(body) + 0.5f) / kLucks;  // [steps]
+    std::uint32_t step = 0;
     for (std::size_t i = 0; i < commands.size(); ++i) {
       const bool begins = begun >= 1 || i == 0;
-      if (begun >= 1) begun -= 1;
+      if (begun >= 1) begun -= 1, ++step;
       // a body that begins to walk within a step takes what is left of it; steps begin with a tick, half a tick later on average
-      const WalkRates moved = legs.move(commands[i], begins, (1 - begun) * walk.step_duration + kWalkTick / 2);
+      const float until_next = (1 - begun) * walk.step_duration + kWalkTick / 2;
+      const WalkRates moved = legs.move(commands[i], lucks[luck_of(body, step)], begins, until_next);
       begun += a_tick;
-      rates[i].x += moved.x / kStepPhases, rates[i].y += moved.y / kStepPhases,
-          rates[i].turn += moved.turn / kStepPhases;
+      rates[i].x += moved.x / kLucks, rates[i].y += moved.y / kLucks, rates[i].turn += moved.turn / kLucks;
     }
   }
   return rates;

@@ -15,10 +15,13 @@ struct SyntheticOptions {
   std::uint64_t first_capture_ns = 0;  // [ns since the epoch]
   bool live = true;                    // the caller paces the images, so that they are of this moment
   RenderOptions render = {};
+  std::function<std::uint64_t()> now_ns =
+      nullptr;  // [ns since the epoch] if it skips images, like a sensor; else it makes all
 };
 
 /// A sensor that looks at scenes of its caller. It never ends, never fails and does not pace itself: each call of next()
-/// asks for the scene at the next capture time and returns its image at once.
+/// asks for the scene at the next capture time and returns its image at once. With a clock it skips the images whose time
+/// has passed, so that a slow machine gets fewer images instead of ever later ones.
 class SyntheticSensor : public DepthSource {
  public:
   SyntheticSensor(const SensorPose& pose, const Surroundings& surroundings,
