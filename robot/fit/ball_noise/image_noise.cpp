@@ -57,7 +57,9 @@ ImageError error_of(const BallPlace& place, std::size_t index, double height, Im
                    .elevation = elevation_at(place.seen_distance, height) - elevation_at(place.distance, height),
                    .bearing = wrapped(place.seen_bearing - place.bearing),
                    .of_elevation = std::hypot(per_metre * place.deviation, elevation_by_clock),
-                   .of_bearing = std::hypot(heading, bearing_by_clock)};
+                   .of_bearing = std::hypot(heading, bearing_by_clock),
+                   .elevation_by_clock = elevation_by_clock,
+                   .bearing_by_clock = bearing_by_clock};
   const bool is_close = per_metre * place.deviation > kMostKnown, turns = bearing_by_clock > kMostByClock;
   fit.close += is_close;
   fit.turning += turns;
@@ -127,10 +129,13 @@ void find_biases(std::size_t recordings, ImageNoiseFit& fit) {
 struct NoiseAxis {
   double ImageError::*error;
   double ImageError::*known;
+  double ImageError::*by_clock;
   double ImageBias::*bias;
 };
-constexpr NoiseAxis kElevationAxis{&ImageError::elevation, &ImageError::of_elevation, &ImageBias::elevation};
-constexpr NoiseAxis kBearingAxis{&ImageError::bearing, &ImageError::of_bearing, &ImageBias::bearing};
+constexpr NoiseAxis kElevationAxis{&ImageError::elevation, &ImageError::of_elevation, &ImageError::elevation_by_clock,
+                                   &ImageBias::elevation};
+constexpr NoiseAxis kBearingAxis{&ImageError::bearing, &ImageError::of_bearing, &ImageError::bearing_by_clock,
+                                 &ImageBias::bearing};
 
 double noise_at(double place) { return kLeastNoise * std::pow(kNoiseStep, place); }
 
@@ -138,6 +143,7 @@ double noise_at(double place) { return kLeastNoise * std::pow(kNoiseStep, place)
 struct NoiseProfile {
   Profile profile{kNoiseSteps, noise_at};
   std::vector<std::size_t> passes;  // of each event: its index in fit.passes
+  double by_clock = 0;              // [rad²] mean variance by the clock
   NoiseParameter facts;
 };
 
@@ -158,12 +164,14 @@ NoiseProfile profile_of(const ImageNoiseFit& fit, const NoiseAxis& axis, double 
       found.facts.farthest = std::max(found.facts.farthest, error.distance);
       if (seen++ % stride != 0) continue;
       if (!begun) found.profile.begin_event(), found.passes.push_back(pass), begun = true;
+      found.by_clock += squared_of(error.*axis.by_clock);
       const double known = squared_of(error.*axis.known) + pixels * pixels;
       const double around = error.*axis.error - fit.biases[error.recording].*axis.bias;
       found.profile.add([&](double noise) { return -std::log(density_of(around, noise * noise + known)); });
     }
   }
   found.facts.passes = found.profile.events();
+  found.by_clock /= std::max(1., std::ceil(static_cast<double>(seen) / static_cast<double>(stride)));
   return found;
 }
 
@@ -185,7 +193,9 @@ NoiseParameter parameter_of(const NoiseProfile& found) {
   if (!parameter.known) return parameter;
   const Group all = all_of(found.profile.events());
   parameter.value = found.profile.best(all);
-  parameter.deviation = found.profile.deviation(all);
+  // The clock has one error, whose square is known no better than √2 of its expectation; that goes into the noise's variance.
+  const double missed_by_clock = std::numbers::sqrt2 * found.by_clock / (2 * parameter.value);
+  parameter.deviation = std::hypot(found.profile.deviation(all), missed_by_clock);
   return parameter;
 }
 

@@ -31,10 +31,11 @@ struct ImageError {
   std::size_t place = 0;      // index of the percept
   std::size_t recording = 0;  // of the robot
   bool standing = false;
-  double distance = 0;                // [m] true
-  double elevation = 0, bearing = 0;  // [rad] seen - true; NaN: not usable
-  double of_elevation = 0;            // [rad] standard deviation by the truth's error and the clock
-  double of_bearing = 0;              // [rad] likewise
+  double distance = 0;                                  // [m] true
+  double elevation = 0, bearing = 0;                    // [rad] seen - true; NaN: not usable
+  double of_elevation = 0;                              // [rad] standard deviation by the truth's error and the clock
+  double of_bearing = 0;                                // [rad] likewise
+  double elevation_by_clock = 0, bearing_by_clock = 0;  // [rad] the clock's part of them, one error for all images
 };
 
 /// The three parameters, or others with the same meaning.

@@ -72,8 +72,10 @@ SightNoise noise_of(const Looks& looks, const sim::Models& base) {
   const double tilts[2] = {std::hypot(pixels, model.tilt), std::hypot(pixels, model.tilt_walking)};
   double* const found[2] = {&noise.standing, &noise.walking};
   for (std::size_t i = 0; i < 2; ++i) {
+    *found[i] = tilts[i];
+    if (elevations[i].size() < kFewestPercepts) continue;
     const double all = deviation_by(std::move(elevations[i]), 0);
-    *found[i] = std::max(tilts[i], without(all, lab::median_of(std::move(placed[i]))));
+    *found[i] = without(all, lab::median_of(std::move(placed[i])));
   }
   return noise;
 }

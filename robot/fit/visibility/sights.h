@@ -16,8 +16,8 @@ struct SightNoise {
   double standing = 0, walking = 0;  // of the elevation
 };
 
-/// Measures the errors by the percepts of balls in view; they are medians, so false balls hardly count. They are never smaller than
-/// the model's. With fewer than 30 percepts they are the model's, and that of a heading with 3°.
+/// Measures the errors by the percepts of balls in view; they are medians, so false balls hardly count. Those of the bearing are never
+/// smaller than the model's. With fewer than 30 percepts they are the model's, and that of a heading with 3°.
 SightNoise noise_of(const Looks& looks, const sim::Models& base);
 
 /// The places of percepts that are taken for the ball: those within five standard deviations or half a metre.

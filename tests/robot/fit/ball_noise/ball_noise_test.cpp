@@ -46,6 +46,16 @@ TEST(BallNoise, TheIntervalsCoverThePlantedNoiseDespiteTheErrorsOfTruthAndClock)
   EXPECT_GE(covered, 13) << "of 15";
 }
 
+TEST(BallNoise, AClockThatIsHardlyKnownWidensTheInterval) {
+  const auto width = [](double late) {
+    PlantedSights planted{.late = late};
+    const Figure* roll = noise_of(planted, 5).figure("noise.roll");
+    return roll ? roll->high - roll->low : 0;
+  };
+  EXPECT_GT(width(0), 0);
+  EXPECT_GT(width(0.05), width(0));
+}
+
 TEST(BallNoise, AnExactTruthGivesTheSameNoise) {
   const Report report = noise_of({.truth_error = 0, .heading_error = 0}, 6);
   ASSERT_TRUE(report.figure("noise.tilt"));

@@ -13,6 +13,21 @@ namespace {
 
 using tests::planted_base, tests::planted_looks;
 
+TEST(SightNoise, IsThatOfTheImagesAlsoBelowTheModels) {
+  const sim::Models base = planted_base();
+  for (const double planted : {0.005, 0.02, 0.05}) {
+    const SightNoise noise = noise_of(planted_looks({.noise = planted, .heading_error = 0}, 4), base);
+    EXPECT_NEAR(noise.walking, planted, 0.2 * planted);  // the robot of these looks always walks
+  }
+}
+
+TEST(SightNoise, IsTheModelsWithFewPercepts) {
+  const sim::Models base = planted_base();
+  const SightNoise noise = noise_of(Looks{}, base);
+  EXPECT_GE(noise.standing, base.perception.noise.tilt);
+  EXPECT_GE(noise.walking, base.perception.noise.tilt_walking);
+}
+
 TEST(FalseBalls, IntervalsCoverThePlantedRateAndItIsNotBiased) {
   int covered = 0;
   double bias = 0;
