@@ -21,8 +21,8 @@ constexpr double kBrakeMargin = 0.05;     // [s] by which a halt outlasts its br
 constexpr double kShownPace = 100;        // curvature at which the drives show a robot's pace, not the prior
 constexpr double kGridRounding = 0.0005;  // deviation of a logarithm that is known exactly
 // One standard deviation of an acceleration as a share, beyond the scatter of drives. In simulated games with a truth of 2 cm
-// accelerations came out 7 %, those of turning 3 % too high (scripts/bench fit), since commands answer to the luck of steps; drills
-// show no such bias.
+// accelerations came out 6 %, those of turning 4 % too high (scripts/bench fit). Drills show no such bias: in games, commands
+// answer to the luck of steps.
 constexpr double kMissedByMeanWalk = 0.05, kMissedByMeanTurn = 0.035;
 
 /// A figure of the walk as people read it.
