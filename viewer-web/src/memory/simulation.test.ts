@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import type { Memory } from "./memory";
+import { History } from "./history";
 import { simulationOf, tickAt } from "./simulation";
 
 test("a simulation reports its state, and without one the state is undefined", () => {
@@ -36,11 +37,12 @@ test("a simulation reports its state, and without one the state is undefined", (
   expect(simulationOf({ world: () => undefined } as unknown as Memory)).toBeUndefined();
 });
 
-test("the tick at a time is that of the newest state then", () => {
-  const history = { at: (at_ns: bigint) => (at_ns < 5n ? undefined : { data: new Uint8Array([Number(at_ns)]) }) };
+test("the tick at a time is that of the state then, or between its neighbours", () => {
+  const history = new History();
+  for (const ns of [5, 6, 16]) history.add({ log_ns: BigInt(ns), data: new Uint8Array([ns]), arrived: 0 });
   const decode = (data: Uint8Array) => ({ fields: new Map([["tick", 100 + data[0]!]]) });
   const memory = { world: () => ({ history, decode }) } as unknown as Memory;
-  expect(tickAt(memory, 7n)).toBe(107);
+  expect([5n, 6n, 9n, 15n, 16n, 99n].map((at_ns) => tickAt(memory, at_ns))).toEqual([105, 106, 109, 115, 116, 116]);
   expect(tickAt(memory, 3n)).toBeUndefined();
   expect(tickAt({ world: () => undefined } as unknown as Memory, 7n)).toBeUndefined();
 });

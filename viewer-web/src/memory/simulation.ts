@@ -1,5 +1,6 @@
 // The state of a simulated game, from the object /sim/state.
 
+import type { Entry } from "./history";
 import type { Memory } from "./memory";
 import type { SimulatedTeam as TeamMessage, WorldObject } from "./schema";
 import { fieldsOf, numberOf, textOf, type Fields } from "./value";
@@ -46,12 +47,24 @@ export function simulationOf(memory: Memory): Simulation | undefined {
   );
 }
 
-/** Returns the tick of the game at a capture time, or undefined if that is not kept. */
+/**
+ * Returns the tick of the game at a capture time, or undefined if that is not kept. A busy page does not get the state of
+ * every tick: then it is between those of its neighbours, in proportion to the time.
+ */
 export function tickAt(memory: Memory, at_ns: bigint): number | undefined {
   const state = memory.world(kSimulation);
-  const message = state?.history.at(at_ns);
-  const fields = message && state?.decode(message.data).fields;
-  return fields && numberOf(fields, "tick");
+  if (!state) return undefined;
+  const { history } = state;
+  const tickOf = (message: Entry | undefined) => {
+    const fields = message && state.decode(message.data).fields;
+    return fields && numberOf(fields, "tick");
+  };
+  const index = history.indexAt(at_ns);
+  const [before, after] = [history.get(index), history.get(index + 1)];
+  const [tick, next] = [tickOf(before), tickOf(after)];
+  if (tick === undefined || next === undefined) return tick;
+  const share = Number(at_ns - before!.log_ns) / Number(after!.log_ns - before!.log_ns);
+  return Math.round(tick + share * (next - tick));
 }
 
 const teamOf = (fields: Fields<TeamMessage>): SimulatedTeam => ({
