@@ -6,7 +6,6 @@
 #include <jpeglib.h>
 
 #include <algorithm>
-#include <array>
 #include <csetjmp>
 #include <memory>
 #include <vector>

@@ -154,7 +154,7 @@ NoiseProfile profile_of(const ImageNoiseFit& fit, const NoiseAxis& axis, double 
   const auto images = static_cast<std::size_t>(std::ranges::count_if(fit.errors, usable));
   const std::size_t stride = 1 + images / kMostNoiseImages;
   NoiseProfile found{.facts = {.images = images, .nearest = INFINITY}};
-  std::size_t seen = 0;
+  std::size_t seen = 0, used = 0;
   for (std::size_t pass = 0; pass < fit.passes.size(); ++pass) {
     bool begun = false;
     for (const std::size_t i : fit.passes[pass]) {
@@ -164,6 +164,7 @@ NoiseProfile profile_of(const ImageNoiseFit& fit, const NoiseAxis& axis, double 
       found.facts.farthest = std::max(found.facts.farthest, error.distance);
       if (seen++ % stride != 0) continue;
       if (!begun) found.profile.begin_event(), found.passes.push_back(pass), begun = true;
+      ++used;
       found.by_clock += squared_of(error.*axis.by_clock);
       const double known = squared_of(error.*axis.known) + pixels * pixels;
       const double around = error.*axis.error - fit.biases[error.recording].*axis.bias;
@@ -171,7 +172,7 @@ NoiseProfile profile_of(const ImageNoiseFit& fit, const NoiseAxis& axis, double 
     }
   }
   found.facts.passes = found.profile.events();
-  found.by_clock /= std::max(1., std::ceil(static_cast<double>(seen) / static_cast<double>(stride)));
+  found.by_clock /= std::max(1., static_cast<double>(used));
   return found;
 }
 

@@ -74,7 +74,7 @@ SightNoise noise_of(const Looks& looks, const sim::Models& base) {
   for (std::size_t i = 0; i < 2; ++i) {
     *found[i] = tilts[i];
     if (elevations[i].size() < kFewestPercepts) continue;
-    const double all = deviation_by(std::move(elevations[i]), 0);
+    const double all = kOfMedian * lab::median_of(std::move(elevations[i]));
     *found[i] = without(all, lab::median_of(std::move(placed[i])));
   }
   return noise;

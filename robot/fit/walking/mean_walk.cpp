@@ -158,12 +158,13 @@ std::vector<WalkRates> mean_walk(const Walk& walk, const std::vector<Command>& c
     Legs legs(walk, !commands.empty() && asks_to_walk(commands.front()));
     float begun = (static_cast<float>(body) + 0.5f) / kLucks;  // [steps]
     std::uint32_t step = 0;
+    const Luck* luck = &lucks[luck_of(body, step)];
     for (std::size_t i = 0; i < commands.size(); ++i) {
       const bool begins = begun >= 1 || i == 0;
-      if (begun >= 1) begun -= 1, ++step;
+      if (begun >= 1) begun -= 1, luck = &lucks[luck_of(body, ++step)];
       // a body that begins to walk within a step takes what is left of it; steps begin with a tick, half a tick later on average
       const float until_next = (1 - begun) * walk.step_duration + kWalkTick / 2;
-      const WalkRates moved = legs.move(commands[i], lucks[luck_of(body, step)], begins, until_next);
+      const WalkRates moved = legs.move(commands[i], *luck, begins, until_next);
       begun += a_tick;
       rates[i].x += moved.x / kLucks, rates[i].y += moved.y / kLucks, rates[i].turn += moved.turn / kLucks;
     }

@@ -15,8 +15,8 @@ struct SyntheticOptions {
   std::uint64_t first_capture_ns = 0;  // [ns since the epoch]
   bool live = true;                    // the caller paces the images, so that they are of this moment
   RenderOptions render = {};
-  std::function<std::uint64_t()> now_ns =
-      nullptr;  // [ns since the epoch] if it skips images, like a sensor; else it makes all
+  /// [ns since the epoch] the clock of a sensor that skips images; without one it makes all.
+  std::function<std::uint64_t()> now_ns = nullptr;
 };
 
 /// A sensor that looks at scenes of its caller. It never ends, never fails and does not pace itself: each call of next()
