@@ -1,0 +1,180 @@
+#include "tests/walk/physics.h"
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+namespace robot::nao::walk {
+namespace {
+
+constexpr double kGravity = 9.81;  // [m/s²]
+constexpr double kTorsoAboveHip = 0.085;  // [m] from the hips to the origin of the torso
+constexpr double kAngleNoise = 0.003;     // [rad]
+constexpr double kLoadNoise = 0.02;       // [kg]
+constexpr std::array<const char*, kLegJoints> kNames = {"HipYawPitch", "HipRoll",    "HipPitch",
+                                                        "KneePitch",   "AnklePitch", "AnkleRoll"};
+// by joint: speeds without load and torques of the motors with their gears
+constexpr std::array<double, kLegJoints> kSpeed = {4.16, 4.16, 6.4, 6.4, 6.4, 4.16};           // [rad/s]
+constexpr std::array<double, kLegJoints> kTorque = {13.69, 13.69, 8.9, 8.9, 8.9, 13.69};  // [N m]
+
+/// Loads the model through a file in memory.
+mjModel* load(const std::string& xml) {
+  static mjVFS files;
+  mj_defaultVFS(&files);
+  mj_makeEmptyFileVFS(&files, "nao.xml", static_cast<int>(xml.size()));
+  std::memcpy(files.filedata[0], xml.data(), xml.size());
+  std::array<char, 1000> problem{};
+  mjModel* const model = mj_loadXML("nao.xml", &files, problem.data(), problem.size());
+  mj_deleteVFS(&files);
+  if (model) return model;
+  std::fprintf(stderr, "the model of the Nao: %s\n", problem.data());
+  std::abort();
+}
+
+double heading_of(const mjtNum* rotation) { return std::atan2(rotation[3], rotation[0]); }
+
+}  // namespace
+
+Physics::Physics(const Scene& scene)
+    : model_(load(model_of(scene)), mj_deleteModel), data_(mj_makeData(model_.get()), mj_deleteData) {
+  for (const Side side : {left, right})
+    for (int joint = 0; joint < kLegJoints; ++joint) {
+      const std::string name = (side == left ? "L" : "R") + std::string(kNames[static_cast<std::size_t>(joint)]);
+      const int id = mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str());
+      position_[side][static_cast<std::size_t>(joint)] = model_->jnt_qposadr[id];
+      speed_[side][static_cast<std::size_t>(joint)] = model_->jnt_dofadr[id];
+    }
+  torso_ = mj_name2id(model_.get(), mjOBJ_BODY, "torso");
+  ball_ = mj_name2id(model_.get(), mjOBJ_BODY, "ball");
+  box_ = mj_name2id(model_.get(), mjOBJ_BODY, "box");
+}
+
+Physics::~Physics() = default;
+
+double Physics::uniform() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
+
+double Physics::normal() {
+  double sum = -6;
+  for (int i = 0; i < 12; ++i) sum += uniform();
+  return sum;
+}
+
+void Physics::reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& legs, double hip_height) {
+  robot_ = robot;
+  bits_.seed(seed * 2654435761u + 17);
+  mjModel& model = *model_;
+  for (const Side side : {left, right})
+    for (const int dof : speed_[side]) {
+      model.dof_damping[dof] = 0.1 + robot.damping;
+      model.dof_armature[dof] = robot.armature;
+    }
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    const bool floor = geom == 0, round = model.geom_type[geom] == mjGEOM_SPHERE;
+    // MuJoCo takes the greater friction of both sides
+    model.geom_friction[3 * geom] = floor ? 0.01 : round ? 0.5 : robot.friction;
+    model.geom_solref[2 * geom] = robot.softness;
+  }
+  if (model.nhfield > 0)
+    for (int i = 0; i < model.hfield_nrow[0] * model.hfield_ncol[0]; ++i)
+      model.hfield_data[i] = static_cast<float>(uniform() * robot.turf / kTurfHeight);
+
+  mjData& data = *data_;
+  mj_resetData(&model, &data);
+  for (const Side side : {left, right})
+    for (std::size_t joint = 0; joint < kLegJoints; ++joint) data.qpos[position_[side][joint]] = legs[side][joint];
+  data.qpos[2] = hip_height + kTorsoAboveHip + 0.002 + robot.turf;
+  if (model.nhfield > 0) data.qpos[0] = -4, data.qpos[1] = -3 + 6 * uniform();
+  mj_forward(&model, &data);
+  queue_.clear();
+  target_ = legs;
+  roll_ = pitch_ = sensed_at_ = 0;
+}
+
+Sensors Physics::sense() {
+  Sensors sensors;
+  const mjData& data = *data_;
+  const double dt = data.time - sensed_at_;
+  sensed_at_ = data.time;
+  for (std::size_t i = 0; i < 3; ++i)
+    sensors.rate[i] = data.sensordata[i] + robot_.rate_bias[i] + robot_.rate_noise * normal();
+
+  const mjtNum* const rotation = data.xmat + 9 * torso_;  // by rows; its columns are the axes of the torso
+  const double share = robot_.angle_lag > 0 ? dt / (dt + robot_.angle_lag) : 1;
+  pitch_ += share * (std::asin(std::clamp(-rotation[6], -1.0, 1.0)) - pitch_);
+  roll_ += share * (std::atan2(rotation[7], rotation[8]) - roll_);
+  sensors.pitch = pitch_ + robot_.pitch_bias + kAngleNoise * normal();
+  sensors.roll = roll_ + robot_.roll_bias + kAngleNoise * normal();
+
+  for (std::size_t i = 0; i < 8; ++i)
+    sensors.load[i / 4][i % 4] =
+        std::max(0.0, robot_.load_gain[i] * data.sensordata[3 + i] / kGravity + kLoadNoise * normal());
+  for (const Side side : {left, right})
+    for (std::size_t joint = 0; joint < kLegJoints; ++joint)
+      sensors.joints[side][joint] = data.qpos[position_[side][joint]] + robot_.offset[side][joint];
+  return sensors;
+}
+
+void Physics::command(const Legs& targets) { queue_.push_back({data_->time + robot_.delay, targets}); }
+
+void Physics::step(double force_x, double force_y) {
+  mjData& data = *data_;
+  while (!queue_.empty() && queue_.front().time <= data.time + 1e-9) {
+    target_ = queue_.front().legs;
+    queue_.pop_front();
+  }
+  for (const Side side : {left, right})
+    for (std::size_t joint = 0; joint < kLegJoints; ++joint) {
+      const double half = robot_.play / 2;
+      double error = target_[side][joint] - robot_.offset[side][joint] - data.qpos[position_[side][joint]];
+      error -= std::clamp(error, -half, half);
+      // a motor has less torque at speed
+      const double wanted = robot_.gain * error, speed = data.qvel[speed_[side][joint]];
+      const double left_over = std::clamp(1 - std::copysign(1.0, wanted) * speed / kSpeed[joint], 0.0, 1.0);
+      const double most = kTorque[joint] * robot_.torque * left_over;
+      data.ctrl[side * kLegJoints + static_cast<int>(joint)] = std::clamp(wanted, -most, most);
+    }
+  mjtNum* const force = data.xfrc_applied + 6 * torso_;
+  force[0] = force_x, force[1] = force_y;
+  mj_step(model_.get(), data_.get());
+}
+
+Truth Physics::truth() const {
+  const mjData& data = *data_;
+  const mjtNum* const rotation = data.xmat + 9 * torso_;
+  Truth truth{.x = data.qpos[0],
+              .y = data.qpos[1],
+              .height = data.qpos[2],
+              .heading = heading_of(rotation),
+              .upright = rotation[8]};
+  // the torso's z axis points where it tips
+  truth.fall_direction = std::remainder(std::atan2(rotation[5], rotation[2]) - truth.heading, 2 * M_PI);
+  if (ball_ >= 0) {
+    const int dof = model_->jnt_dofadr[model_->body_jntadr[ball_]];
+    truth.ball_speed = std::hypot(data.qvel[dof], data.qvel[dof + 1]);
+  }
+  return truth;
+}
+
+double Physics::now() const { return data_->time; }
+
+void Physics::place(const char* body, double ahead, double left_of, double height) {
+  const int id = mj_name2id(model_.get(), mjOBJ_BODY, body);
+  const int joint = model_->body_jntadr[id];
+  const Truth robot = truth();
+  const double cosine = std::cos(robot.heading), sine = std::sin(robot.heading);
+  mjtNum* const place = data_->qpos + model_->jnt_qposadr[joint];
+  place[0] = robot.x + ahead * cosine - left_of * sine;
+  place[1] = robot.y + ahead * sine + left_of * cosine;
+  place[2] = height;
+  std::fill_n(data_->qvel + model_->jnt_dofadr[joint], 6, 0.0);
+}
+
+void Physics::place_ball(double ahead, double left_of) { place("ball", ahead, left_of, kBallRadius); }
+void Physics::place_box(double ahead, double left_of) { place("box", ahead, left_of, 0.27); }
+
+}  // namespace robot::nao::walk

@@ -1,0 +1,77 @@
+// One robot in MuJoCo, from the targets of its joints to its sensors.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <random>
+
+#include "robot/nao/walk/sensors.h"
+#include "tests/walk/drawn_robot.h"
+#include "tests/walk/nao_model.h"
+
+struct mjModel_;
+struct mjData_;
+
+namespace robot::nao::walk {
+
+/// The true pose of the torso, and the ball.
+struct Truth {
+  double x = 0, y = 0, height = 0;  // [m, world]
+  double heading = 0;               // [rad] (-π, π]
+  double upright = 1;               // cosine of the tilt
+  double fall_direction = 0;        // [rad] of the tilt, from the robot's front, > 0 to the left
+  double ball_speed = 0;            // [m/s]
+};
+
+/// A simulated robot with servos, delays and imperfect sensors. It may be reset for any number of robots with the same
+/// scene. Used by one thread.
+class Physics {
+ public:
+  static constexpr double kStep = 0.002;  // [s]
+
+  explicit Physics(const Scene& scene);
+  ~Physics();
+
+  /// Puts the robot on its feet with these angles of the legs. `hip_height` [m] is that of the hip above the soles.
+  /// `seed` settles the noise of its sensors, and the ground.
+  void reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& legs, double hip_height);
+
+  /// Returns a frame of sensors.
+  Sensors sense();
+  /// Accepts targets, which take effect after the robot's delay.
+  void command(const Legs& targets);
+  /// Simulates `kStep`, with a force on the torso [N, world].
+  void step(double force_x, double force_y);
+
+  Truth truth() const;
+  double now() const;
+
+  /// Puts the ball on the ground [m, robot: on the ground under the torso].
+  void place_ball(double ahead, double left);
+  /// Puts the box on the ground likewise.
+  void place_box(double ahead, double left);
+
+ private:
+  struct Target {
+    double time;
+    Legs legs;
+  };
+
+  double uniform();
+  double normal();
+  void place(const char* body, double ahead, double left, double height);
+
+  std::unique_ptr<mjModel_, void (*)(mjModel_*)> model_;
+  std::unique_ptr<mjData_, void (*)(mjData_*)> data_;
+  std::array<std::array<int, kLegJoints>, 2> position_{}, speed_{};  // addresses of the joints in qpos and qvel
+  int torso_ = 0, ball_ = -1, box_ = -1;                             // bodies
+  DrawnRobot robot_;
+  std::mt19937_64 bits_;
+  std::deque<Target> queue_;
+  Legs target_{};
+  double roll_ = 0, pitch_ = 0;  // [rad] as the inertial unit has them
+  double sensed_at_ = 0;
+};
+
+}  // namespace robot::nao::walk

@@ -1,0 +1,90 @@
+#include "tests/walk/trial.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace robot::nao::walk {
+namespace {
+
+constexpr double kBlow = 0.05;       // [s] duration of a push
+constexpr double kSampled = 0.2;     // [s] from one sample of the pose to the next
+constexpr double kWarmUp = 2;        // [s] until the displacements count
+constexpr double kFallen = 0.5;      // cosine of 60°
+constexpr double kLowest = 0.2;      // [m]
+constexpr double kBallAhead = 0.155, kBallLeft = 0.055;  // [m] from the torso to the place of the ball
+
+/// Sums the displacements of the torso, and the time in which it was too slow.
+class Odometer {
+ public:
+  explicit Odometer(const Truth& start) : last_(start) {}
+
+  void see(const Truth& now, double wanted, bool counts, Outcome& outcome) {
+    const double x = now.x - last_.x, y = now.y - last_.y;
+    const double ahead = x * std::cos(now.heading) + y * std::sin(now.heading);
+    if (counts) {
+      outcome.forward += ahead;
+      outcome.left += y * std::cos(now.heading) - x * std::sin(now.heading);
+      outcome.turned += std::remainder(now.heading - last_.heading, 2 * M_PI);
+      outcome.path += std::hypot(x, y);
+      outcome.measured += kSampled;
+    }
+    // over a second, because steps are uneven
+    progress_.push_back(ahead);
+    if (progress_.size() > 5) progress_.erase(progress_.begin());
+    double second = 0;
+    for (const double way : progress_) second += way;
+    slow_ = wanted > 0 && counts && second < 0.5 * wanted ? slow_ + kSampled : 0;
+    outcome.slow = std::max(outcome.slow, slow_);
+    last_ = now;
+  }
+
+ private:
+  Truth last_;
+  std::vector<double> progress_;
+  double slow_ = 0;
+};
+
+}  // namespace
+
+Outcome run(Physics& physics, Gait& gait, const DrawnRobot& robot, std::uint64_t seed, const Legs& stand,
+            double hip_height, const Plan& plan) {
+  physics.reset(robot, seed, stand, hip_height);
+  if (plan.box_ahead > 0) physics.place_box(plan.box_ahead, plan.box_aside);
+  Outcome outcome;
+  Odometer odometer(physics.truth());
+  double next_frame = 0, next_sample = kSampled;
+  bool ball_lies = false;
+  while (physics.now() < plan.duration) {
+    const double now = physics.now();
+    if (now >= next_frame - 1e-9) {
+      next_frame += plan.dt;
+      physics.command(gait.tick(physics.sense(), plan.command(now), plan.dt));
+      if (gait.steps()) outcome.last_step = now;
+    }
+    if (plan.ball_at >= 0 && now >= plan.ball_at && !ball_lies) {
+      physics.place_ball(kBallAhead, kBallLeft + plan.ball_aside);
+      ball_lies = true;
+    }
+
+    double force = 0, direction = 0;
+    for (const Push& push : plan.pushes)
+      if (now >= push.time && now < push.time + kBlow)
+        force = push.impulse / kBlow, direction = push.direction + physics.truth().heading;
+    physics.step(force * std::cos(direction), force * std::sin(direction));
+
+    const Truth truth = physics.truth();
+    if (now >= next_sample - 1e-9) {
+      odometer.see(truth, plan.command(now).forward, now > kWarmUp, outcome);
+      next_sample += kSampled;
+    }
+    if (ball_lies) outcome.ball_speed = std::max(outcome.ball_speed, truth.ball_speed);
+    if (truth.upright < kFallen || truth.height < kLowest || !(truth.height < 10)) {
+      outcome.fell = true, outcome.direction = truth.fall_direction;
+      break;
+    }
+  }
+  outcome.time = physics.now();
+  return outcome;
+}
+
+}  // namespace robot::nao::walk
