@@ -38,12 +38,16 @@ struct Parameters {
   // steps that catch a fall
   double com_height = 0.27;        // [m] of the centre of mass, for the pendulum
   double catch_forward = 0.6;      // [m/m] shift of the swing foot per error of the capture point
-  double catch_forward_from = 0.015;  // [m] smaller errors have no effect
+  double catch_forward_from = 0.02;  // [m] smaller errors have no effect
   double catch_forward_most = 0.07;   // [m]
-  double catch_side = 0.5;
-  double catch_side_from = 0.03;
-  double catch_side_most = 0.04;
+  double catch_side = 0.8;
+  double catch_side_from = 0.015;
+  double catch_side_most = 0.07;
+  double counter = 1.5;             // [m/m] outward shift of the swing foot when the robot tips over the support foot
+  double counter_from = 0.05;
+  double counter_most = 0.1;
   double catch_speed = 0.6;         // [m/s] fastest shift of the swing foot
+  double side_speed = 1;            // [m/s] likewise to the side
   double learning = 0.12;           // share of a new measurement in the usual course of the error
   double usual_forward_most = 0.03;  // [m] bound of that course
   double usual_side_most = 0.05;     // [m]
@@ -57,12 +61,12 @@ struct Parameters {
   double forward_change = 0.05;  // [m/s] in a step; twice as much for slowing down
   double side_change = 0.06;     // [m/s]
   double turn_change = 0.35;     // [rad/s]
-  double side_gain = 1;          // commanded to planned
   double turn_gain = 1;
-  double stride_learning = 0.12;  // share of the error of the speed that changes the stride, in each step
-  double stride_least = 0.8, stride_most = 1.6;  // planned stride, relative to the commanded one
+  double slip = 0.12;             // share of the way forward that the feet slip
+  double speed_learning = 0.1;    // share of the error of the speed that corrects the plan, in each step
+  double correction_most = 0.06;  // [m/s] bound of that correction
   double heading_rate = 2;        // [1/s] return to the wanted heading
-  double heading_most = 0.3;      // [rad/s] bound of that turn
+  double heading_most = 0.6;      // [rad/s] bound of that turn
 
   // servos
   double lag_share = 0.8;   // of the servos' lag that is led

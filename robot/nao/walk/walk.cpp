@@ -12,15 +12,17 @@ constexpr double kLeastWeight = 1;        // [kg] both feet together, if the rob
 constexpr double kDown = 0.3;             // [0..1] share of a swing foot that has landed
 constexpr double kClosing = 0.05;         // [m/s], [rad/s] speed of the feet of a standing robot to their places
 constexpr double kFirstLift = 0.5;        // of the lift in the first step
+constexpr double kLastLift = 0.4;          // of the lift in steps on the spot before it stands: they rock less
 constexpr double kLiftPower = 1.3;        // of the sine: the foot leaves the ground softly
 constexpr int kWarmUp = 2;                // [steps] at the beginning teach nothing
 constexpr double kMeanErrorMost = 0.04;   // [m] a larger error does not count more in the mean
-constexpr double kSlowest = 0.04;         // [m/s] below, the stride is not adapted
+constexpr double kShortestStep = 0.1;      // [s]
+constexpr double kOdometryShare = 0.2;     // of a step in the speed that the legs report
 constexpr double kStopSpeed = 0.03;       // [m/s] it may stop below
-constexpr double kStopForward = 0.04, kStopSide = 0.05;  // [m] errors with which it may stop
+constexpr double kStopForward = 0.045, kStopSide = 0.085;  // [m] errors that two feet on the ground hold
 constexpr double kTipsAside = 0.02;       // [m] error that selects the first foot
-constexpr double kSettling = 0.6;         // [s] after a stop, it rocks to rest
-constexpr double kSettlingMargin = 1.5;   // of the errors that start steps, meanwhile
+constexpr double kSettling = 0.8;         // [s] after a stop, it rocks to rest
+constexpr double kSettlingMargin = 2.4;     // of the errors that start steps, meanwhile
 
 /// Moves `value` towards `goal` by at most `change`, and twice as fast towards zero.
 void approach(double goal, double change, double& value) {
@@ -96,7 +98,7 @@ void Walk::start_if_needed(const Sensors& sensors, const Command& command) {
   // a robot that tips to one side steps with that foot
   if (std::abs(error.left) > kTipsAside) swing_ = error.left > 0 ? left : right;
   share_ = last_share_ = sensors.load_of(swing_) / std::max(sensors.load_of(left) + sensors.load_of(right), 1e-9);
-  begin_step(command);
+  begin_step(sensors, command);
 }
 
 /// Exchanges the feet when the swing foot carries weight, or when that takes too long.
@@ -108,25 +110,25 @@ void Walk::end_step(const Sensors& sensors, const Command& command) {
   const bool late = phase() > p.latest && !hangs;
   if (!landed && !late) return;
 
-  const Tipping error = balance_.disturbance(swing_, phase());
   duration_ = time_;
   ++count_;
   swing_ = other(swing_);
   share_ = 1 - share_;
   time_ = 0;
-  if (may_stand(command, error)) {
+  if (may_stand(command)) {
     stepping_ = false;
     still_ = 0;
     return;
   }
   judge_last_step(sensors);
   govern();
-  begin_step(command);
+  begin_step(sensors, command);
 }
 
-bool Walk::may_stand(const Command& command, const Tipping& error) const {
+bool Walk::may_stand(const Command& command) const {
+  const Tipping& error = balance_.error();
   return command.stands() && count_ > kWarmUp + 1 && std::abs(speed_.forward) < kStopSpeed &&
-         std::abs(speed_.left) < kStopSpeed && std::abs(worst_shift_.forward) < kStopSpeed &&
+         std::abs(speed_.left) < kStopSpeed &&
          std::abs(error.forward) < kStopForward && std::abs(error.left) < kStopSide;
 }
 
@@ -136,13 +138,17 @@ void Walk::judge_last_step(const Sensors& sensors) {
   const double mean_error = error_sum_ / std::max(1, errors_);
   if (count_ > 1) {
     // the new swing foot supported until now
-    const double stride = sole_of(sensors.joints[other(swing_)], other(swing_)).x -
-                          sole_of(sensors.joints[swing_], swing_).x;
-    real_speed_ += 0.2 * (stride / std::max(0.1, duration_) - real_speed_);
-    const bool steady = calm_ > 0.95 && std::abs(worst_shift_.forward) < 0.04;
-    if (std::abs(speed_.forward) > kSlowest && steady)
-      stride_gain_ = std::clamp(stride_gain_ + p.stride_learning * (1 - real_speed_ / speed_.forward), p.stride_least,
-                                p.stride_most);
+    const Point end = sole_of(sensors.joints[swing_], swing_);
+    const double time = std::max(kShortestStep, duration_);
+    real_speed_.forward += kOdometryShare * ((support_start_.x - end.x) / time - real_speed_.forward);
+    real_speed_.left += kOdometryShare * ((support_start_.y - end.y) / time - real_speed_.left);
+    const auto correct = [&](double planned, double real, double& correction) {
+      correction = std::clamp(correction + p.speed_learning * (planned - real), -p.correction_most, p.correction_most);
+    };
+    if (calm_ > 0.95 && std::abs(worst_shift_.forward) < 0.04) {
+      correct((1 + p.slip) * speed_.forward, real_speed_.forward, correction_.forward);
+      correct(speed_.left, real_speed_.left, correction_.left);
+    }
     lean_ = std::clamp(lean_ - p.lean_learning * mean_error, -p.lean_most, p.lean_most);
   }
   error_sum_ = 0, errors_ = 0;
@@ -152,17 +158,18 @@ void Walk::judge_last_step(const Sensors& sensors) {
 void Walk::govern() {
   const Parameters& p = parameters_;
   const double shift = std::abs(worst_shift_.forward);
-  if (shift > 0.03 && count_ > 6) stride_gain_ = std::max(p.stride_least, stride_gain_ - 0.04);
   calm_ = shift > p.fights_from ? p.calm_share : std::min(1.0, calm_ + p.calm_rise);
 }
 
-void Walk::begin_step(const Command& command) {
+void Walk::begin_step(const Sensors& sensors, const Command& command) {
   const Parameters& p = parameters_;
   approach(command.forward * calm_, p.forward_change, speed_.forward);
   approach(command.left * calm_, p.side_change, speed_.left);
   approach(command.turn * calm_ + return_, p.turn_change, speed_.turn);
-  stride_ = speed_.forward * p.period * stride_gain_;
-  const double side = speed_.left * p.period * p.side_gain, turn = speed_.turn * p.period * p.turn_gain;
+  ends_ = command.stands() && std::abs(speed_.forward) < kStopSpeed && std::abs(speed_.left) < kStopSpeed;
+  stride_ = ((1 + p.slip) * speed_.forward + correction_.forward) * p.period;
+  const double side = (speed_.left + correction_.left) * p.period, turn = speed_.turn * p.period * p.turn_gain;
+  support_start_ = sole_of(sensors.joints[other(swing_)], other(swing_));
 
   // a step to its own side opens the legs, the next one closes them
   const double out = sign_of(swing_);
@@ -179,15 +186,16 @@ void Walk::catch_fall(const Tipping& error, double dt) {
   Tipping wanted;
   if (on_ground_) {
     wanted.forward = beyond(error.forward, p.catch_forward_from, p.catch_forward, p.catch_forward_most);
-    // only outwards: the feet must not meet
+    // only outwards: the feet must not meet. A leg stretched to the other side is a counterweight.
     const double out = sign_of(swing_);
-    if (error.left * out > 0) wanted.left = beyond(error.left, p.catch_side_from, p.catch_side, p.catch_side_most);
+    wanted.left = error.left * out > 0 ? beyond(error.left, p.catch_side_from, p.catch_side, p.catch_side_most)
+                                       : -beyond(error.left, p.counter_from, p.counter, p.counter_most);
   }
   const bool down = share_ > kDown && phase() > 0.5;
   if (!down) {
-    const double most = p.catch_speed * dt;
+    const double most = p.catch_speed * dt, most_left = p.side_speed * dt;
     shift_.forward += std::clamp(wanted.forward - shift_.forward, -most, most);
-    shift_.left += std::clamp(wanted.left - shift_.left, -most, most);
+    shift_.left += std::clamp(wanted.left - shift_.left, -most_left, most_left);
   }
   if (std::abs(shift_.forward) > std::abs(worst_shift_.forward)) worst_shift_ = shift_;
 }
@@ -198,7 +206,7 @@ double Walk::lift() const {
                         p.lift_per_side * std::abs(speed_.left * p.period) +
                         p.lift_per_turn * std::abs(speed_.turn * p.period) +
                         p.lift_per_catch * std::abs(shift_.forward);
-  return count_ == 0 ? kFirstLift * height : height;
+  return count_ == 0 ? kFirstLift * height : ends_ ? kLastLift * height : height;
 }
 
 void Walk::move_feet(double /*dt*/) {

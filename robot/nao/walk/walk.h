@@ -52,8 +52,8 @@ class Walk {
   void feel(const Sensors& sensors);
   void start_if_needed(const Sensors& sensors, const Command& command);
   void end_step(const Sensors& sensors, const Command& command);
-  bool may_stand(const Command& command, const Tipping& error) const;
-  void begin_step(const Command& command);
+  bool may_stand(const Command& command) const;
+  void begin_step(const Sensors& sensors, const Command& command);
   void judge_last_step(const Sensors& sensors);
   double heading_turn(const Command& command, const Sensors& sensors, double dt);
   void govern();
@@ -76,6 +76,7 @@ class Walk {
   double duration_ = 0;          // [s] of the last one
   Command speed_;                // planned
   double stride_ = 0;            // [m] of the present step
+  bool ends_ = false;            // steps on the spot until it may stand
   std::array<Foot, 2> feet_{};   // now
   std::array<Foot, 2> start_{};  // at the beginning of the step
   std::array<Foot, 2> end_{};    // at its planned end, without x
@@ -95,8 +96,9 @@ class Walk {
   double return_ = 0;         // [rad/s] turn that removes it
 
   // speed
-  double stride_gain_ = 1;
-  double real_speed_ = 0;  // [m/s] as the legs report
+  Point support_start_;   // [m, torso] the support foot at the beginning of the step
+  Command real_speed_;    // as the legs report
+  Command correction_;    // added to the planned speed, so that the legs report the commanded one
   double hip_yaw_pitch_ = 0;
   Legs targets_{};
 };
