@@ -1,0 +1,211 @@
+#include "robot/nao/walk/walk.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "tests/sim/support/allocations.h"
+
+namespace robot::nao::walk {
+namespace {
+
+constexpr double kFrame = 0.012;  // [s] LoLA
+
+/// A robot whose joints obey at once and which never tips. A foot carries half of the weight while it is on the ground.
+class IdealRobot {
+ public:
+  explicit IdealRobot(const Walk& walk) : walk_(walk) {}
+
+  Sensors sense(const Legs& targets, double roll = 0, double pitch = 0) const {
+    Sensors sensors{.roll = roll, .pitch = pitch, .joints = targets};
+    const double low = std::min(height(targets, left), height(targets, right));
+    for (const Side side : {left, right})
+      if (height(targets, side) < low + 0.001) sensors.load[side].fill(0.65);
+    if (walk_.steps()) sensors.rate[2] = walk_.speed().turn;
+    return sensors;
+  }
+
+ private:
+  static double height(const Legs& legs, Side side) { return sole_of(legs[side], side).z; }
+
+  const Walk& walk_;
+};
+
+/// Walks for `seconds`. Returns the targets of all ticks.
+std::vector<Legs> play(Walk& walk, const Command& command, double seconds, double roll = 0, double pitch = 0) {
+  const IdealRobot robot(walk);
+  std::vector<Legs> all;
+  Legs targets = all.empty() ? Legs{} : all.back();
+  for (double time = 0; time < seconds; time += kFrame) {
+    targets = walk.tick(robot.sense(targets, roll, pitch), command, kFrame);
+    all.push_back(targets);
+  }
+  return all;
+}
+
+/// Returns arbitrary sensors of a robot that shakes.
+Sensors drawn(std::mt19937& random) {
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  Sensors sensors;
+  for (double& rate : sensors.rate) rate = between(-2, 2);
+  sensors.roll = between(-0.3, 0.3), sensors.pitch = between(-0.3, 0.3);
+  for (auto& foot : sensors.load)
+    for (double& load : foot) load = between(0, 2);
+  for (auto& leg : sensors.joints)
+    for (double& angle : leg) angle = between(-0.5, 0.8);
+  return sensors;
+}
+
+Command drawn_command(std::mt19937& random) {
+  std::uniform_real_distribution<double> part(-1, 1);
+  return {0.25 * part(random), 0.15 * part(random), part(random)};
+}
+
+Sensors mirrored(const Sensors& sensors) {
+  Sensors image;
+  image.rate = {-sensors.rate[0], sensors.rate[1], -sensors.rate[2]};
+  image.roll = -sensors.roll, image.pitch = sensors.pitch;
+  for (const Side side : {left, right}) {
+    const auto& load = sensors.load[other(side)];
+    image.load[side] = {load[1], load[0], load[3], load[2]};
+    image.joints[side] = sensors.joints[other(side)];
+    image.joints[side][hip_roll] *= -1, image.joints[side][ankle_roll] *= -1;
+  }
+  return image;
+}
+
+TEST(Walk, StandsStillWithoutACommand) {
+  Walk walk;
+  const auto all = play(walk, {}, 2);
+  EXPECT_FALSE(walk.steps());
+  EXPECT_EQ(all.front(), all.back());
+}
+
+TEST(Walk, StepsInTurnsAndReachesTheCommandedSpeed) {
+  Walk walk;
+  const Command command{.forward = 0.2};
+  play(walk, command, 4);
+  EXPECT_TRUE(walk.steps());
+  EXPECT_GT(walk.count(), 10);
+  EXPECT_NEAR(walk.speed().forward, 0.2, 1e-9);
+  EXPECT_NEAR(walk.speed().left, 0, 1e-9);
+}
+
+TEST(Walk, MovesTheSupportFootBackWithTheGround) {
+  // the way of the support foot against the torso is the way of the torso over ground
+  Walk walk;
+  const IdealRobot robot(walk);
+  Legs targets{};
+  double way = 0;
+  double time = 0;
+  for (; time < 10; time += kFrame) {
+    const Side support = other(walk.swing());
+    const Legs last = targets;
+    targets = walk.tick(robot.sense(targets), {.forward = 0.15}, kFrame);
+    if (time > 5 && other(walk.swing()) == support) way += sole_of(last[support], support).x - sole_of(targets[support], support).x;
+  }
+  // the plan adds the share by which feet slip on real ground
+  EXPECT_NEAR(way / 5, 0.15 * (1 + Parameters{}.slip), 0.03);
+}
+
+TEST(Walk, StandsWithinASecondAndAHalfAfterACommandOfZero) {
+  for (const Command& command : {Command{.forward = 0.2}, Command{.left = 0.1}, Command{.turn = 0.8}, Command{.forward = -0.1}}) {
+    Walk walk;
+    play(walk, command, 4);
+    ASSERT_TRUE(walk.steps());
+    play(walk, {}, 1.5);
+    EXPECT_FALSE(walk.steps());
+  }
+}
+
+TEST(Walk, AStandingRobotThatTipsSteps) {
+  for (const double pitch : {0.2, -0.25}) {
+    Walk walk;
+    play(walk, {}, 2);
+    play(walk, {}, 0.1, 0, pitch);
+    EXPECT_TRUE(walk.steps());
+  }
+}
+
+TEST(Walk, ARobotThatTipsToOneSideStepsWithThatFoot) {
+  for (const Side side : {left, right}) {
+    Walk walk;
+    play(walk, {}, 2);
+    play(walk, {}, 2 * kFrame, -0.25 * sign_of(side), 0);
+    ASSERT_TRUE(walk.steps());
+    EXPECT_EQ(walk.swing(), side);
+  }
+}
+
+TEST(Walk, TheSwingFootFollowsAFall) {
+  Walk walk;
+  play(walk, {.forward = 0.1}, 3);
+  const auto worst = [&](double pitch) {
+    const IdealRobot robot(walk);
+    Legs targets = walk.tick(robot.sense({}, 0, 0), {.forward = 0.1}, kFrame);
+    double shift = 0;
+    for (int i = 0; i < 15; ++i) {
+      targets = walk.tick(robot.sense(targets, 0, pitch), {.forward = 0.1}, kFrame);
+      if (std::abs(walk.caught().forward) > std::abs(shift)) shift = walk.caught().forward;
+    }
+    return shift;
+  };
+  EXPECT_GT(worst(0.3), 0.01);
+  EXPECT_LT(worst(-0.3), -0.01);
+}
+
+TEST(Walk, MirroredInputsGiveMirroredLegs) {
+  std::mt19937 random(5);
+  Walk walk, image;
+  for (int i = 0; i < 3000; ++i) {
+    Sensors sensors = drawn(random);
+    if (i == 0) sensors.roll = 0.25, sensors.rate[0] = 0;  // it decides which foot is first
+    const Command command = i % 200 < 150 ? drawn_command(random) : Command{};
+    const Legs legs = walk.tick(sensors, command, kFrame);
+    const Legs mirror = image.tick(mirrored(sensors), {command.forward, -command.left, -command.turn}, kFrame);
+    for (const Side side : {left, right})
+      for (const LegJoint joint : {hip_yaw_pitch, hip_roll, hip_pitch, knee_pitch, ankle_pitch, ankle_roll}) {
+        const double sign = joint == hip_roll || joint == ankle_roll ? -1 : 1;
+        ASSERT_NEAR(mirror[side][joint], sign * legs[other(side)][joint], 1e-9) << "tick " << i << ", joint " << joint;
+      }
+  }
+}
+
+TEST(Walk, TheSameInputsGiveTheSameLegs) {
+  std::mt19937 random(6), again(6);
+  Walk first, second;
+  for (int i = 0; i < 1000; ++i) {
+    const Legs legs = first.tick(drawn(random), drawn_command(random), kFrame);
+    ASSERT_EQ(second.tick(drawn(again), drawn_command(again), kFrame), legs) << "tick " << i;
+  }
+}
+
+TEST(Walk, AllLegsAreFiniteWhateverTheSensorsSay) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> extreme(-1e6, 1e6);
+  Walk walk;
+  for (int i = 0; i < 5000; ++i) {
+    Sensors sensors = drawn(random);
+    if (i % 3 == 0) sensors.rate[1] = extreme(random), sensors.roll = extreme(random);
+    if (i % 5 == 0) sensors.load = {};
+    for (const auto& leg : walk.tick(sensors, drawn_command(random), i % 7 == 0 ? 0.1 : kFrame))
+      for (const double angle : leg) ASSERT_TRUE(std::isfinite(angle)) << "tick " << i;
+  }
+}
+
+TEST(Walk, AllocatesNothing) {
+  std::mt19937 random(8);
+  std::vector<Sensors> frames;
+  for (int i = 0; i < 500; ++i) frames.push_back(drawn(random));
+  Walk walk;
+  const std::size_t before = sim::test::allocations();
+  for (const Sensors& frame : frames) walk.tick(frame, {.forward = 0.2}, kFrame);
+  EXPECT_EQ(sim::test::allocations() - before, 0u);
+}
+
+}  // namespace
+}  // namespace robot::nao::walk

@@ -1,0 +1,80 @@
+#include "tests/walk/physics.h"
+
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <cmath>
+
+#include "tests/walk/our_gait.h"
+
+namespace robot::nao::walk {
+namespace {
+
+TEST(Physics, TheModelWeighsWhatANaoWeighs) {
+  for (const bool about_origin : {false, true}) {
+    const std::string xml = model_of({.about_origin = about_origin});
+    double mass = 0;
+    for (std::size_t at = xml.find("mass='"); at != std::string::npos; at = xml.find("mass='", at + 1))
+      mass += std::stod(xml.substr(at + 6));
+    EXPECT_NEAR(mass, 5.305, 0.005);  // the URDF of a V5
+  }
+}
+
+TEST(Physics, AStandingRobotCarriesItsWeightOnBothFeet) {
+  Physics physics({});
+  const DrawnRobot robot{.load_gain = {1, 1, 1, 1, 1, 1, 1, 1}};
+  physics.reset(robot, 1, standing_legs(), Parameters{}.hip_height);
+  physics.command(standing_legs());
+  for (int i = 0; i < 1000; ++i) physics.step(0, 0);
+  const Sensors sensors = physics.sense();
+  EXPECT_NEAR(sensors.load_of(left) + sensors.load_of(right), 5.305, 0.5);
+  EXPECT_NEAR(sensors.load_of(left), sensors.load_of(right), 0.3);
+  EXPECT_NEAR(sensors.roll, 0, 0.03);
+  EXPECT_GT(physics.truth().upright, 0.99);
+}
+
+TEST(Physics, ATargetTakesEffectAfterTheDelay) {
+  Physics physics({});
+  const DrawnRobot robot{.delay = 0.02, .load_gain = {1, 1, 1, 1, 1, 1, 1, 1}};
+  Legs legs = standing_legs();
+  physics.reset(robot, 1, legs, Parameters{}.hip_height);
+  const double before = physics.sense().joints[left][knee_pitch];
+  legs[left][knee_pitch] += 0.3;
+  physics.command(legs);
+  const auto wait = [&](double seconds) {
+    for (int i = 0; i < std::lround(seconds / Physics::kStep); ++i) physics.step(0, 0);
+    return physics.sense().joints[left][knee_pitch] - before;
+  };
+  EXPECT_LT(std::abs(wait(0.018)), 0.02);
+  EXPECT_GT(wait(0.15), 0.05);
+}
+
+TEST(Physics, TheSameSeedGivesTheSameCourse) {
+  Physics physics({});
+  const DrawnRobot robot = draw_robot(3, Servos::soft);
+  const auto course = [&] {
+    OurGait gait;
+    return run(physics, gait, robot, 3, standing_legs(), Parameters{}.hip_height,
+               {.duration = 3, .command = [](double) { return Command{.forward = 0.2}; }});
+  };
+  const Outcome first = course(), second = course();
+  EXPECT_EQ(first.forward, second.forward);
+  EXPECT_EQ(first.left, second.left);
+  EXPECT_EQ(first.path, second.path);
+}
+
+TEST(Physics, DrawnRobotsDifferAndStayInTheirRanges) {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    const DrawnRobot stiff = draw_robot(seed, Servos::stiff), soft = draw_robot(seed, Servos::soft);
+    EXPECT_GE(stiff.gain, 45);
+    EXPECT_LE(stiff.gain, 90);
+    EXPECT_GE(soft.gain, 18);
+    EXPECT_LE(soft.gain, 25);
+    EXPECT_NE(stiff.friction, draw_robot(seed + 1, Servos::stiff).friction);
+    // one motor turns both
+    EXPECT_EQ(stiff.offset[left][hip_yaw_pitch], stiff.offset[right][hip_yaw_pitch]);
+  }
+}
+
+}  // namespace
+}  // namespace robot::nao::walk
