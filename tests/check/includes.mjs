@@ -274,7 +274,14 @@ export const rows = {
   "robot/nao/guardian": ["robot/core", "robot/nao/lola"],
   "robot/nao/walk": [],
   "robot/nao/camera": ["robot/core", "robot/memory", "proto", "robot/nao/guardian"],
-  "robot/nao/motion": ["robot/core", "proto", "robot/nao/lola", "robot/nao/model", "robot/nao/guardian"],
+  "robot/nao/motion": [
+    "robot/core",
+    "proto",
+    "robot/nao/lola",
+    "robot/nao/model",
+    "robot/nao/walk",
+    "robot/nao/guardian",
+  ],
   "robot/body/attached": [...kSessions, "proto"],
   "robot/body/nao": [
     "robot/core",

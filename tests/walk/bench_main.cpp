@@ -178,7 +178,7 @@ class Tally {
 };
 
 Json played(const Case& one, std::uint64_t first_seed, int robots) {
-  const Legs stand = standing_legs(one.parameters);
+  const Legs standing = stand(one.parameters);
   std::array<std::unique_ptr<Physics>, 2> physics;  // by the reading of the inertias
   for (const bool about_origin : {false, true})
     physics[about_origin] = std::make_unique<Physics>(Scene{.turf = one.turf > 0, .about_origin = about_origin});
@@ -192,7 +192,7 @@ Json played(const Case& one, std::uint64_t first_seed, int robots) {
       for (int repetition = 0; repetition < one.repetitions; ++repetition) {
         OurGait gait(one.parameters);
         const Plan plan = one.plan(seed, repetition);
-        tally.add(run(*physics[robot.about_origin], gait, robot, seed, stand, one.parameters.hip_height, plan), plan,
+        tally.add(run(*physics[robot.about_origin], gait, robot, seed, standing, one.parameters.hip_height, plan), plan,
                   repetition);
       }
     }
@@ -216,7 +216,7 @@ double microseconds_a_tick() {
     }
     bool steps() const override { return gait.steps(); }
   } recorder(frames, gait);
-  run(physics, recorder, draw_robot(1, Servos::stiff), 1, standing_legs(), Parameters{}.hip_height,
+  run(physics, recorder, draw_robot(1, Servos::stiff), 1, stand(), Parameters{}.hip_height,
       steady({.forward = 0.2}, 10));
   Walk walk;
   const auto begin = std::chrono::steady_clock::now();

@@ -19,12 +19,4 @@ class OurGait final : public Gait {
   Walk walk_;
 };
 
-/// Returns the legs of a robot that stands as the walk does.
-inline Legs standing_legs(const Parameters& parameters = {}) {
-  Walk walk(parameters);
-  Sensors sensors;
-  sensors.load[left][0] = sensors.load[right][0] = 2;
-  return walk.tick(sensors, {}, 0.01);
-}
-
 }  // namespace robot::nao::walk

@@ -23,8 +23,8 @@ TEST(Physics, TheModelWeighsWhatANaoWeighs) {
 TEST(Physics, AStandingRobotCarriesItsWeightOnBothFeet) {
   Physics physics({});
   const DrawnRobot robot{.load_gain = {1, 1, 1, 1, 1, 1, 1, 1}};
-  physics.reset(robot, 1, standing_legs(), Parameters{}.hip_height);
-  physics.command(standing_legs());
+  physics.reset(robot, 1, stand(), Parameters{}.hip_height);
+  physics.command(stand());
   for (int i = 0; i < 1000; ++i) physics.step(0, 0);
   const Sensors sensors = physics.sense();
   EXPECT_NEAR(sensors.load_of(left) + sensors.load_of(right), 5.305, 0.5);
@@ -36,7 +36,7 @@ TEST(Physics, AStandingRobotCarriesItsWeightOnBothFeet) {
 TEST(Physics, ATargetTakesEffectAfterTheDelay) {
   Physics physics({});
   const DrawnRobot robot{.delay = 0.02, .load_gain = {1, 1, 1, 1, 1, 1, 1, 1}};
-  Legs legs = standing_legs();
+  Legs legs = stand();
   physics.reset(robot, 1, legs, Parameters{}.hip_height);
   const double before = physics.sense().joints[left][knee_pitch];
   legs[left][knee_pitch] += 0.3;
@@ -54,7 +54,7 @@ TEST(Physics, TheSameSeedGivesTheSameCourse) {
   const DrawnRobot robot = draw_robot(3, Servos::soft);
   const auto course = [&] {
     OurGait gait;
-    return run(physics, gait, robot, 3, standing_legs(), Parameters{}.hip_height,
+    return run(physics, gait, robot, 3, stand(), Parameters{}.hip_height,
                {.duration = 3, .command = [](double) { return Command{.forward = 0.2}; }});
   };
   const Outcome first = course(), second = course();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/nao/lola/joints.h"
+
 namespace robot::nao::walk {
 namespace {
 
@@ -12,6 +14,24 @@ constexpr double kWarmUp = 2;        // [s] until the displacements count
 constexpr double kFallen = 0.5;      // cosine of 60°
 constexpr double kLowest = 0.2;      // [m]
 constexpr double kBallAhead = 0.155, kBallLeft = 0.055;  // [m] from the torso to the place of the ball
+
+constexpr std::array<std::array<Joint, kLegJoints>, 2> kJoints = {{
+    {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll},
+    {l_hip_yaw_pitch, r_hip_roll, r_hip_pitch, r_knee_pitch, r_ankle_pitch, r_ankle_roll},
+}};
+
+/// Returns the targets as the guardian's limiter lets them pass: within the ranges and speeds of the joints.
+Legs limited(const Legs& last, const Legs& wanted, double dt) {
+  Legs passed;
+  for (const Side side : {left, right})
+    for (std::size_t joint = 0; joint < kLegJoints; ++joint) {
+      const JointLimits& limits = limits_of(kJoints[side][joint]);
+      const double most = limits.speed * dt, before = last[side][joint];
+      passed[side][joint] = std::clamp(std::clamp(wanted[side][joint], before - most, before + most),
+                                       double{limits.range.low}, double{limits.range.high});
+    }
+  return passed;
+}
 
 /// Sums the displacements of the torso, and the time in which it was too slow.
 class Odometer {
@@ -54,11 +74,13 @@ Outcome run(Physics& physics, Gait& gait, const DrawnRobot& robot, std::uint64_t
   Odometer odometer(physics.truth());
   double next_frame = 0, next_sample = kSampled;
   bool ball_lies = false;
+  Legs targets = stand;
   while (physics.now() < plan.duration) {
     const double now = physics.now();
     if (now >= next_frame - 1e-9) {
       next_frame += plan.dt;
-      physics.command(gait.tick(physics.sense(), plan.command(now), plan.dt));
+      targets = limited(targets, gait.tick(physics.sense(), plan.command(now), plan.dt), plan.dt);
+      physics.command(targets);
       if (gait.steps()) outcome.last_step = now;
     }
     if (plan.ball_at >= 0 && now >= plan.ball_at && !ball_lies) {

@@ -16,13 +16,13 @@ constexpr double kHip = Parameters{}.hip_height;
 Outcome walked(Servos servos, std::uint64_t seed, const Plan& plan) {
   Physics physics({.ball = plan.ball_at >= 0});
   OurGait gait;
-  return run(physics, gait, draw_robot(seed, servos), seed, standing_legs(), kHip, plan);
+  return run(physics, gait, draw_robot(seed, servos), seed, stand(), kHip, plan);
 }
 
 /// A robot whose legs do not move.
 class Statue final : public Gait {
  public:
-  Legs tick(const Sensors&, const Command&, double) override { return standing_legs(); }
+  Legs tick(const Sensors&, const Command&, double) override { return stand(); }
   bool steps() const override { return false; }
 };
 
@@ -62,7 +62,7 @@ TEST(Trial, APushThatNobodyStandsMakesItFallInItsDirection) {
 TEST(Trial, ARobotThatDoesNotObeyHasFailedAfterTenSeconds) {
   Physics physics({});
   Statue statue;
-  const Outcome outcome = run(physics, statue, draw_robot(4, Servos::stiff), 4, standing_legs(), kHip,
+  const Outcome outcome = run(physics, statue, draw_robot(4, Servos::stiff), 4, stand(), kHip,
                               {.duration = 14, .command = [](double) { return Command{.forward = 0.2}; }});
   EXPECT_FALSE(outcome.fell);
   EXPECT_GT(outcome.slow, 10);

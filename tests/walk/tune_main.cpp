@@ -48,6 +48,8 @@ constexpr Knob kKnobs[] = {
     {"fights_from", &Parameters::fights_from, 0.015, 0.06},
     {"calm_share", &Parameters::calm_share, 0.1, 0.8},
     {"slip", &Parameters::slip, 0, 0.25},
+    {"lag_share", &Parameters::lag_share, 0.2, 1},
+    {"lead_most", &Parameters::lead_most, 0.04, 0.2},
 };
 constexpr std::size_t kNumber = std::size(kKnobs);
 constexpr double kPart = 10;  // a search step of 1 is this part of a knob's range
@@ -105,7 +107,7 @@ class Judge {
               const std::function<Command(double)>& command, std::vector<Push> pushes) {
     const DrawnRobot robot = draw_robot(seed, servos);
     OurGait gait(parameters);
-    return robot::nao::walk::run(*physics_[robot.about_origin], gait, robot, seed, standing_legs(parameters),
+    return robot::nao::walk::run(*physics_[robot.about_origin], gait, robot, seed, stand(parameters),
                                  parameters.hip_height,
                                  {.duration = duration, .command = command, .pushes = std::move(pushes)});
   }

@@ -15,6 +15,12 @@ bool is_driven(const Order& order, std::size_t joint) {
   return order.drives[joint] == 1 && std::isfinite(order.position[joint]) && std::isfinite(order.stiffness[joint]);
 }
 
+bool drives_legs(const Order& order) {
+  for (std::size_t joint = l_hip_yaw_pitch; joint <= r_ankle_roll; ++joint)
+    if (is_driven(order, joint)) return true;
+  return false;
+}
+
 }  // namespace
 
 std::optional<std::array<float, 2>> Guardian::fell() const {
@@ -197,12 +203,23 @@ void Guardian::follow(Wish wish) {
   switch (wish) {
     case Wish::sit: return start(Doing::sitting_down, sit());
     case Wish::hold:
+      if (ends_walk()) return;
       if (doing_ != Doing::holding) holds_stand_ = doing_ == Doing::standing;
       doing_ = Doing::holding;
       return;
     case Wish::stand: return rise();
     case Wish::soft: return;
   }
+}
+
+/// Lets a robot stand that walked when it must hold still: a foot may be in the air. Returns false when that is done.
+bool Guardian::ends_walk() {
+  if (doing_ == Doing::standing_up && ends_walk_) return true;
+  if (doing_ != Doing::standing || mode_ != Mode::playing || !drives_legs(order_)) return false;
+  order_.drives = {};  // they are not followed any more
+  start(Doing::standing_up, stand());
+  ends_walk_ = true;
+  return true;
 }
 
 /// Starts or continues to stand up, or sets the reason why not.
@@ -235,6 +252,7 @@ void Guardian::rise() {
 
 void Guardian::start(Doing doing, KeyFrames motion) {
   doing_ = doing;
+  ends_walk_ = false;
   if (limiter_.pose().stiffness == PerJoint<float>{}) limiter_.soften(sensors_.position);
   player_.play(motion, limiter_.pose().position);
 }

@@ -32,7 +32,8 @@ struct Cycle {
 ///   it falls                                       tucks in, then is soft; when it is upright again it may stand up
 ///   asked to end; a joint too hot; battery empty   sits down, then is soft
 ///   the third crash of the runtime in a minute     the same, with red eyes, until the chest button
-///   no order, or no readable frame                 for 0.1 s: holds still; for 3 s: sits down, then is soft
+///   no order, or no readable frame                 for 0.1 s: holds still; for 3 s: sits down, then is soft. A robot
+///                                                  whose legs were driven stands first
 ///   the runtime or the guardian has restarted      holds still, until GameController or chest button allow more
 ///   mode initial, penalised                        stands; no order moves it
 ///   mode playing                                   as the order says
@@ -83,6 +84,7 @@ class Guardian {
   Wish wish(const Cycle& cycle);
   Wish wish_without_order(std::uint64_t silent_ns, Reason why);
   void follow(Wish wish);
+  bool ends_walk();
   void rise();
   void move(float dt);
   Pose standing_pose() const;
@@ -109,6 +111,7 @@ class Guardian {
   bool has_runtime_ = false;
   bool begun_ = false;        // false: the state of the body is unknown
   bool holds_stand_ = false;  // the held pose is the stand
+  bool ends_walk_ = false;    // the motion is the one of ends_walk()
   bool feet_missed_ = false;  // it sat down again because there was no weight on its feet
 
   std::uint64_t last_ns_ = 0, last_order_ns_ = 0, last_sensors_ns_ = 0, falls_since_ns_ = 0;

@@ -21,9 +21,6 @@ float speed_of(bool given, float speed, std::size_t joint) {
 
 /// Returns why the body cannot do this, or "" if it can.
 std::string refusal_of(const pb::MotionCommand& command, Doing doing) {
-  const auto stops = [](const pb::WalkSpeed& walk) { return walk.x() == 0 && walk.y() == 0 && walk.turn_rate() == 0; };
-  if (command.has_walk_speed() && !stops(command.walk_speed())) return "body nao does not walk yet: it stands";
-  if (command.has_walk_to() && command.walk_to().gain() > 0) return "body nao does not walk yet: it stands";
   if (command.has_kick()) return "body nao does not kick yet: it stands";
   if (command.has_scripted())
     return "body nao has no motion '" + command.scripted().name().substr(0, 40) + "': it stands";
@@ -62,12 +59,17 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
   refused_.clear();
   if (!command || command_age_ns > kCommandLasts_ns) {
     posture_ = Order::Posture::stand;
+    walk_ = {};
   } else {
     refused_ = refusal_of(*command, report.doing);
     posture_ = posture_of(*command);
+    take_walk(*command);
     aim(report, *command);
   }
-  order.posture = posture_;
+  // a walking robot stands before it sits
+  const bool stops = posture_ == Order::Posture::sit && legs_.steps();
+  order.posture = stops ? Order::Posture::stand : posture_;
+  if (may_walk_) legs_.drive(report, walk_, dt, order);
   if (!head_) return order;
   for (const auto& [joint, target, speed] :
        {std::tuple{head_yaw, head_->yaw, head_->yaw_speed}, {head_pitch, head_->pitch, head_->pitch_speed}}) {
@@ -87,6 +89,24 @@ Order::Posture Motion::posture_of(const pb::MotionCommand& command) const {
     case pb::MotionCommand::POSTURE_RELAX: return Order::Posture::soft;
     default: return Order::Posture::stand;
   }
+}
+
+/// Takes the walk of a command. A command without a body part lets the walk go on; values that are no numbers stop it.
+void Motion::take_walk(const pb::MotionCommand& command) {
+  if (command.body_case() == pb::MotionCommand::BODY_NOT_SET) return;
+  walk_ = {};
+  const walk::Limits limits;
+  if (command.has_walk_speed()) {
+    const pb::WalkSpeed& speed = command.walk_speed();
+    if (!std::isfinite(speed.x()) || !std::isfinite(speed.y()) || !std::isfinite(speed.turn_rate())) return;
+    walk_ = within(limits, {speed.x(), speed.y(), speed.turn_rate()});
+  } else if (command.has_walk_to()) {
+    const pb::WalkTo& to = command.walk_to();
+    if (!std::isfinite(to.x()) || !std::isfinite(to.y()) || !std::isfinite(to.heading()) || !std::isfinite(to.gain()))
+      return;
+    walk_ = towards({to.x(), to.y(), to.heading()}, to.gain(), limits);
+  }
+  may_walk_ |= !walk_.stands();
 }
 
 void Motion::aim(const Report& report, const pb::MotionCommand& command) {
@@ -124,6 +144,7 @@ Motion::HeadTarget Motion::look_to(const Report& report, const pb::LookTo& place
 
 void Motion::fill_status(const Report& report, pb::MotionStatus& status) const {
   fill(report, status);
+  legs_.fill_status(status);
   const auto away = [&](std::size_t joint, float target) {
     return std::abs(report.sensors.position[joint] - target) > kArrived;
   };

@@ -8,13 +8,16 @@
 #include "proto/foresight/motion.pb.h"
 #include "robot/nao/guardian/link.h"
 #include "robot/nao/model/kinematics.h"
+#include "robot/nao/motion/walking_legs.h"
 
 namespace robot::nao {
 
 namespace pb = foresight;
 
-/// The motions of the body `nao`: it turns the head, stands, sits, freezes and softens. It does not walk, kick or get
-/// up from the ground yet: it stands instead, and refused() says so. Pure; used by one thread.
+/// The motions of the body `nao`: it walks, turns the head, stands, sits, freezes and softens. It does not kick or get up
+/// from the ground yet: it stands instead, and refused() says so. Pure; used by one thread.
+///
+/// The first command to walk gives the legs to the walk. From then on a standing robot that is pushed makes steps.
 class Motion {
  public:
   static constexpr std::uint64_t kCommandLasts_ns = 1'000'000'000;  // age of a command after which the body stands
@@ -31,7 +34,7 @@ class Motion {
   /// Returns one sentence if the command asks for a motion that this body does not have, else an empty string.
   const std::string& refused() const { return refused_; }
 
-  /// Fills the status of the body and the head.
+  /// Fills the status of the body, the walk and the head.
   void fill_status(const Report& report, pb::MotionStatus& status) const;
 
  private:
@@ -41,10 +44,14 @@ class Motion {
   };
 
   Order::Posture posture_of(const pb::MotionCommand& command) const;
+  void take_walk(const pb::MotionCommand& command);
   void aim(const Report& report, const pb::MotionCommand& command);
   HeadTarget look_to(const Report& report, const pb::LookTo& place) const;
 
   const Kinematics kinematics_;
+  WalkingLegs legs_;
+  bool may_walk_ = false;  // a command to walk has come
+  walk::Command walk_;
   std::optional<HeadTarget> head_;  // nothing: no command for the head yet
   Order::Posture posture_ = Order::Posture::stand;
   std::string refused_;

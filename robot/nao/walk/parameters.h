@@ -69,9 +69,9 @@ struct Parameters {
   double heading_most = 0.6;      // [rad/s] bound of that turn
 
   // servos
-  double lag_share = 0.8;   // of the servos' lag that is led
+  double lag_share = 0.6;   // of the servos' lag that is led
   double lag_most = 0.09;   // [s]
-  double lead_most = 0.2;   // [rad]
+  double lead_most = 0.1;   // [rad]
 
   // standing
   double stand_forward = 0.05;  // [m] error that starts steps

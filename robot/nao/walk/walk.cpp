@@ -41,6 +41,11 @@ double beyond(double error, double from, double gain, double most) {
 
 }  // namespace
 
+Legs stand(const Parameters& parameters) {
+  const Sole sole{{-parameters.ahead, 0, -parameters.hip_height}, 0};
+  return reach({sole, sole}, 0, 0).legs;
+}
+
 Walk::Walk(const Parameters& parameters) : parameters_(parameters), balance_(parameters_), servos_(parameters_) {}
 
 const Legs& Walk::tick(const Sensors& sensors, const Command& command, double dt) {
@@ -56,7 +61,7 @@ const Legs& Walk::tick(const Sensors& sensors, const Command& command, double dt
     const Tipping error = balance_.disturbance(swing_, phase());
     if (count_ > kWarmUp) balance_.learn(swing_, phase());
     catch_fall(error, dt);
-    move_feet(dt);
+    move_feet();
   } else {
     close_feet(dt);
   }
@@ -209,7 +214,7 @@ double Walk::lift() const {
   return count_ == 0 ? kFirstLift * height : ends_ ? kLastLift * height : height;
 }
 
-void Walk::move_feet(double /*dt*/) {
+void Walk::move_feet() {
   const double now = phase(), along = std::min(now, kLongestPhase), part = std::min(now, 1.0);
   const auto between = [](double from, double to, double share) { return from + share * (to - from); };
 

@@ -17,6 +17,9 @@
 
 namespace robot::nao::walk {
 
+/// Returns the legs of a robot that stands, ready to walk.
+Legs stand(const Parameters& parameters = {});
+
 /// The walk of one robot. Pure: sensors and a command in, angles of the legs out. Allocates nothing. Used by one
 /// thread. At 83 Hz (LoLA) or 100 Hz (NAOqi).
 class Walk {
@@ -58,7 +61,7 @@ class Walk {
   double heading_turn(const Command& command, const Sensors& sensors, double dt);
   void govern();
   void catch_fall(const Tipping& error, double dt);
-  void move_feet(double dt);
+  void move_feet();
   void close_feet(double dt);
   void pose(const Sensors& sensors, double dt);
   double phase() const { return time_ / parameters_.period; }

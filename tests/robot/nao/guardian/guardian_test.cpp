@@ -296,6 +296,45 @@ TEST_F(NaoGuardian, WithoutOrdersHoldsThenSitsThenIsSoft) {
   }
 }
 
+TEST_F(NaoGuardian, ARobotWhoseLegsWereDrivenStandsFirst) {
+  for (const bool dead : {false, true}) {
+    play();
+    // in the middle of a step
+    for (const auto& [joint, position] : {std::pair{l_hip_pitch, -0.7f}, {l_knee_pitch, 1.2f}, {l_ankle_pitch, -0.5f}}) {
+      order.drives[joint] = 1;
+      order.position[joint] = position;
+    }
+    order.stiffness.fill(0.9f);
+    run(0.5);
+    EXPECT_NEAR(knee(), 1.2, 0.01);
+    alive = false;
+    cycle({.runtime_crashed = dead});
+    run(0.15);
+    EXPECT_EQ(guardian.doing(), Doing::standing_up);
+    EXPECT_EQ(guardian.reason(), dead ? Reason::runtime_gone : Reason::runtime_late);
+    run(1.3);
+    EXPECT_EQ(guardian.doing(), Doing::holding);
+    EXPECT_TRUE(stands());
+    until(Doing::sitting_down);
+    until(Doing::soft);
+    EXPECT_TRUE(seated());
+    alive = true;
+    order = {};
+    cycle({.asked_soft = true});
+  }
+}
+
+TEST_F(NaoGuardian, TheHeadHeldSoftensAWalkingRobotWithin100ms) {
+  play();
+  for (std::size_t joint = l_hip_yaw_pitch; joint <= r_ankle_roll; ++joint) order.drives[joint] = 1;
+  order.position = body.sensors.position;
+  order.stiffness.fill(0.9f);
+  run(0.5);
+  body.hold_head(true);
+  run(0.1);
+  EXPECT_FALSE(has_stiffness());
+}
+
 TEST_F(NaoGuardian, GoesOnWhenALateRuntimeSpeaksAgain) {
   play();
   order.drives[head_yaw] = order.drives[head_pitch] = 1;

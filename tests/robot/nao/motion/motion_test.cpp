@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "tests/support/lola_frame.h"
 
@@ -28,11 +30,12 @@ struct NaoMotion : ::testing::Test {
       if (order.drives[joint]) report.commanded[joint] = report.sensors.position[joint] = order.position[joint];
     return order;
   }
-  bool head_active() const {
+  pb::MotionStatus status() const {
     pb::MotionStatus status;
     motion.fill_status(report, status);
-    return status.head_active();
+    return status;
   }
+  bool head_active() const { return status().head_active(); }
 
   Motion motion;
   Report report;
@@ -118,16 +121,116 @@ TEST_F(NaoMotion, TakesPosturesAndKeepsThem) {
   EXPECT_EQ(next(2 * Motion::kCommandLasts_ns).posture, Order::Posture::stand) << "the last command is too old";
 }
 
-TEST_F(NaoMotion, RefusesMissingMotionsWithASentence) {
+TEST_F(NaoMotion, AWalkingRobotStandsBeforeItSits) {
   command.mutable_walk_speed()->set_x(0.1f);
+  for (int i = 0; i < 100; ++i) next();
+  command.set_posture(pb::MotionCommand::POSTURE_SIT);
   EXPECT_EQ(next().posture, Order::Posture::stand);
-  EXPECT_EQ(motion.refused(), "body nao does not walk yet: it stands");
+  EXPECT_TRUE(status().stopping());
+  for (int i = 0; i < 125; ++i) next();
+  EXPECT_EQ(next().posture, Order::Posture::sit);
+  command.set_posture(pb::MotionCommand::POSTURE_RELAX);
+  EXPECT_EQ(next().posture, Order::Posture::soft);
+}
+
+constexpr Joint kLegs[] = {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch,  l_knee_pitch,  l_ankle_pitch, l_ankle_roll,
+                           r_hip_roll,      r_hip_pitch, r_knee_pitch, r_ankle_pitch, r_ankle_roll};
+
+bool drives_legs(const Order& order) {
+  return std::all_of(std::begin(kLegs), std::end(kLegs), [&](Joint joint) { return order.drives[joint] == 1; });
+}
+bool drives_a_leg(const Order& order) {
+  return std::any_of(std::begin(kLegs), std::end(kLegs), [&](Joint joint) { return order.drives[joint] == 1; });
+}
+
+TEST_F(NaoMotion, WalksWithinTheRangesOfTheJointsAndSaysSo) {
+  command.mutable_walk_speed()->set_x(0.15f);
+  for (int i = 0; i < 300; ++i) {
+    const Order order = next();
+    EXPECT_TRUE(drives_legs(order));
+    for (const Joint joint : kLegs) {
+      ASSERT_EQ(order.position[joint], clamp(order.position[joint], limits_of(joint).range)) << limits_of(joint).name;
+      ASSERT_EQ(order.stiffness[joint], WalkingLegs::kStiffness);
+    }
+  }
+  EXPECT_EQ(motion.refused(), "");
+  EXPECT_TRUE(status().walking());
+  EXPECT_TRUE(status().body_active());
+  EXPECT_FALSE(status().standing());
+  EXPECT_FALSE(status().stopping());
+  EXPECT_NEAR(status().velocity_x(), 0.15, 1e-3);
+
   command.mutable_walk_speed()->set_x(0);
   next();
-  EXPECT_EQ(motion.refused(), "") << "to stop is no walk";
+  EXPECT_TRUE(status().stopping());
+  for (int i = 0; i < 125; ++i) next();
+  EXPECT_FALSE(status().walking());
+  EXPECT_TRUE(status().standing());
+}
+
+TEST_F(NaoMotion, LeavesTheLegsToTheGuardianUntilACommandToWalk) {
+  command.set_posture(pb::MotionCommand::POSTURE_STAND);
+  EXPECT_FALSE(drives_a_leg(next()));
+  command.mutable_walk_speed()->set_x(0);
+  EXPECT_FALSE(drives_a_leg(next()));
+  command.mutable_walk_to()->set_gain(0);
+  EXPECT_FALSE(drives_a_leg(next()));
+  command.mutable_walk_speed()->set_turn_rate(0.3f);
+  EXPECT_TRUE(drives_legs(next()));
+}
+
+TEST_F(NaoMotion, TakesTheLegsOverWithoutAJump) {
+  command.mutable_walk_speed()->set_x(0.1f);
+  PerJoint<float> last = report.commanded;
+  for (int i = 0; i < 50; ++i) {
+    const Order order = next();
+    for (const Joint joint : kLegs) {
+      ASSERT_LT(std::abs(order.position[joint] - last[joint]), limits_of(joint).speed * 0.012f)
+          << limits_of(joint).name << " in cycle " << i;
+      last[joint] = order.position[joint];
+    }
+  }
+}
+
+TEST_F(NaoMotion, GivesTheLegsBackWhenTheBodyMayNotWalk) {
+  command.mutable_walk_speed()->set_x(0.1f);
+  for (int i = 0; i < 100; ++i) next();
+  EXPECT_TRUE(status().walking());
+  report.mode = Mode::penalised;
+  EXPECT_FALSE(drives_a_leg(next()));
+  EXPECT_FALSE(status().walking());
+  report.mode = Mode::playing;
+  report.doing = Doing::fallen;
+  EXPECT_FALSE(drives_a_leg(next()));
+  report.doing = Doing::standing;
+  EXPECT_TRUE(drives_legs(next()));
+  EXPECT_FALSE(status().walking()) << "the take-over comes first";
+}
+
+TEST_F(NaoMotion, StandsWhenTheCommandToWalkIsTooOldOrNoNumber) {
+  command.mutable_walk_speed()->set_x(0.1f);
+  for (int i = 0; i < 100; ++i) next();
+  for (int i = 0; i < 125; ++i) next(2 * Motion::kCommandLasts_ns);
+  EXPECT_FALSE(status().walking());
+  for (int i = 0; i < 100; ++i) next();
+  EXPECT_TRUE(status().walking());
+  command.mutable_walk_speed()->set_x(std::nanf(""));
+  for (int i = 0; i < 125; ++i) next();
+  EXPECT_FALSE(status().walking());
+}
+
+TEST_F(NaoMotion, WalksToAPlaceAndStandsThere) {
+  command.mutable_walk_to()->set_x(0.5f);
   command.mutable_walk_to()->set_gain(1);
-  next();
-  EXPECT_EQ(motion.refused(), "body nao does not walk yet: it stands");
+  for (int i = 0; i < 200; ++i) next();
+  EXPECT_TRUE(status().walking());
+  EXPECT_GT(status().velocity_x(), 0.15);
+  command.mutable_walk_to()->set_x(0.01f);
+  for (int i = 0; i < 125; ++i) next();
+  EXPECT_FALSE(status().walking());
+}
+
+TEST_F(NaoMotion, RefusesMissingMotionsWithASentence) {
   command.mutable_kick();
   next();
   EXPECT_EQ(motion.refused(), "body nao does not kick yet: it stands");

@@ -1,0 +1,91 @@
+#include "robot/nao/motion/walking_legs.h"
+
+#include <algorithm>
+#include <array>
+
+namespace robot::nao {
+namespace {
+
+
+/// The joints of both legs in LoLA's order. One motor turns both hip_yaw_pitch joints.
+constexpr std::array<std::array<Joint, walk::kLegJoints>, 2> kJointsOf = {{
+    {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll},
+    {l_hip_yaw_pitch, r_hip_roll, r_hip_pitch, r_knee_pitch, r_ankle_pitch, r_ankle_roll},
+}};
+
+template <class See>
+void for_each_joint(See&& see) {
+  for (const walk::Side side : {walk::left, walk::right})
+    for (std::size_t joint = 0; joint < walk::kLegJoints; ++joint) see(side, joint, kJointsOf[side][joint]);
+}
+
+walk::Legs legs_of(const PerJoint<float>& positions) {
+  walk::Legs legs;
+  for_each_joint([&](walk::Side side, std::size_t joint, Joint name) { legs[side][joint] = positions[name]; });
+  return legs;
+}
+
+}  // namespace
+
+walk::Sensors walking_sensors(const Report& report) {
+  const Sensors& from = report.sensors;
+  walk::Sensors sensors;
+  std::copy(from.gyroscope.begin(), from.gyroscope.end(), sensors.rate.begin());
+  sensors.roll = from.angles[0], sensors.pitch = from.angles[1];
+  for (const walk::Side side : {walk::left, walk::right})
+    std::copy_n(&from.fsr[static_cast<std::size_t>(4 * side)], 4, sensors.load[side].begin());
+  sensors.joints = legs_of(from.position);
+  return sensors;
+}
+
+void WalkingLegs::drive(const Report& report, const walk::Command& command, float dt, Order& order) {
+  if (report.mode != Mode::playing || report.doing != Doing::standing || order.posture != Order::Posture::stand) {
+    walk_.reset();
+    return;
+  }
+  if (take_over(report, dt)) {
+    const walk::Sensors sensors = walking_sensors(report);
+    // a warm robot has half of its speed
+    const double share = report.limited ? 0.5 : 1;
+    targets_ = walk_->tick(sensors, {share * command.forward, share * command.left, share * command.turn}, dt);
+    stops_ = command.stands();
+  }
+  for_each_joint([&](walk::Side side, std::size_t joint, Joint name) {
+    order.drives[name] = 1;
+    order.position[name] = static_cast<float>(targets_[side][joint]);
+    order.stiffness[name] = kStiffness;
+  });
+}
+
+/// Moves the legs to the stand of the walk. Returns true when they are there.
+bool WalkingLegs::take_over(const Report& report, float dt) {
+  if (!walk_) {
+    walk_.emplace();
+    from_ = legs_of(report.commanded);
+    taken_ = 0;
+  }
+  if (taken_ >= kTakeOver) return true;
+  taken_ += dt;
+  const double part = std::min(taken_ / kTakeOver, 1.0f), smooth = part * part * (3 - 2 * part);
+  const walk::Legs stand = walk::stand();
+  for_each_joint([&](walk::Side side, std::size_t joint, Joint) {
+    targets_[side][joint] = from_[side][joint] + smooth * (stand[side][joint] - from_[side][joint]);
+  });
+  return false;
+}
+
+void WalkingLegs::fill_status(foresight::MotionStatus& status) const {
+  if (!steps()) return;
+  status.set_walking(true);
+  status.set_body_active(true);
+  status.set_standing(false);
+  status.set_stopping(stops_);
+  status.set_support_foot(walk_->swing() == walk::left ? foresight::MotionStatus::SUPPORT_FOOT_RIGHT
+                                                       : foresight::MotionStatus::SUPPORT_FOOT_LEFT);
+  const walk::Command& speed = walk_->speed();
+  status.set_velocity_x(static_cast<float>(speed.forward));
+  status.set_velocity_y(static_cast<float>(speed.left));
+  status.set_turn_rate(static_cast<float>(speed.turn));
+}
+
+}  // namespace robot::nao

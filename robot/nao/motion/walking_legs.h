@@ -1,0 +1,42 @@
+// The walk's connection to the body: reports of the guardian in, joints of an order out.
+#pragma once
+
+#include <optional>
+
+#include "proto/foresight/motion.pb.h"
+#include "robot/nao/guardian/link.h"
+#include "robot/nao/walk/destination.h"
+#include "robot/nao/walk/walk.h"
+
+namespace robot::nao {
+
+/// The legs of a robot that stands, ready to walk. They move from the guardian's stand to that of the walk, and then
+/// obey it. Pure; used by one thread.
+class WalkingLegs {
+ public:
+  static constexpr float kTakeOver = 0.6f;   // [s] from the guardian's stand to that of the walk
+  static constexpr float kStiffness = 0.9f;  // [0..1] of the legs
+
+  /// Drives the legs in `order`, the one after `report`, `dt` [s] after the last. Drives nothing and forgets everything
+  /// unless the body stands in the mode playing.
+  void drive(const Report& report, const walk::Command& command, float dt, Order& order);
+
+  /// Reports whether the robot makes steps.
+  bool steps() const { return walk_ && walk_->steps(); }
+
+  /// Fills the fields about walking. The others keep their values.
+  void fill_status(foresight::MotionStatus& status) const;
+
+ private:
+  bool take_over(const Report& report, float dt);
+
+  std::optional<walk::Walk> walk_;  // nothing: the legs belong to the guardian
+  walk::Legs from_{}, targets_{};
+  float taken_ = 0;  // [s] since the beginning of the take-over
+  bool stops_ = false;
+};
+
+/// Returns the sensors of a report as the walk needs them. All values of a report are finite.
+walk::Sensors walking_sensors(const Report& report);
+
+}  // namespace robot::nao
