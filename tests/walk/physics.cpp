@@ -91,7 +91,7 @@ void Physics::reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& leg
   if (model.nhfield > 0) data.qpos[0] = -4, data.qpos[1] = -3 + 6 * uniform();
   mj_forward(&model, &data);
   queue_.clear();
-  target_ = legs;
+  target_ = legs, stiffness_ = 1;
   roll_ = pitch_ = sensed_at_ = 0;
 }
 
@@ -119,12 +119,14 @@ Sensors Physics::sense() {
   return sensors;
 }
 
-void Physics::command(const Legs& targets) { queue_.push_back({data_->time + robot_.delay, targets}); }
+void Physics::command(const Legs& targets, double stiffness) {
+  queue_.push_back({data_->time + robot_.delay, targets, stiffness});
+}
 
 void Physics::step(double force_x, double force_y) {
   mjData& data = *data_;
   while (!queue_.empty() && queue_.front().time <= data.time + 1e-9) {
-    target_ = queue_.front().legs;
+    target_ = queue_.front().legs, stiffness_ = queue_.front().stiffness;
     queue_.pop_front();
   }
   for (const Side side : {left, right})
@@ -133,7 +135,7 @@ void Physics::step(double force_x, double force_y) {
       double error = target_[side][joint] - robot_.offset[side][joint] - data.qpos[position_[side][joint]];
       error -= std::clamp(error, -half, half);
       // a motor has less torque at speed
-      const double wanted = robot_.gain * error, speed = data.qvel[speed_[side][joint]];
+      const double wanted = stiffness_ * robot_.gain * error, speed = data.qvel[speed_[side][joint]];
       const double left_over = std::clamp(1 - std::copysign(1.0, wanted) * speed / kSpeed[joint], 0.0, 1.0);
       const double most = kTorque[joint] * robot_.torque * left_over;
       data.ctrl[side * kLegJoints + static_cast<int>(joint)] = std::clamp(wanted, -most, most);

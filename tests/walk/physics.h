@@ -39,8 +39,8 @@ class Physics {
 
   /// Returns a frame of sensors.
   Sensors sense();
-  /// Accepts targets, which take effect after the robot's delay.
-  void command(const Legs& targets);
+  /// Accepts targets, which take effect after the robot's delay. `stiffness` [0..1] is the share of the servos' gain.
+  void command(const Legs& targets, double stiffness = 1);
   /// Simulates `kStep`, with a force on the torso [N, world].
   void step(double force_x, double force_y);
 
@@ -56,6 +56,7 @@ class Physics {
   struct Target {
     double time;
     Legs legs;
+    double stiffness;
   };
 
   double uniform();
@@ -70,6 +71,7 @@ class Physics {
   std::mt19937_64 bits_;
   std::deque<Target> queue_;
   Legs target_{};
+  double stiffness_ = 1;
   double roll_ = 0, pitch_ = 0;  // [rad] as the inertial unit has them
   double sensed_at_ = 0;
 };
