@@ -28,6 +28,7 @@ import { truth } from "./truth.mjs";
 import { verdicts } from "./verdicts.mjs";
 import { viewer } from "./viewer.mjs";
 import { vivid } from "./vivid.mjs";
+import { walk } from "./walk.mjs";
 
 const benches = {
   streaming,
@@ -59,6 +60,7 @@ const benches = {
   mcap,
   truth,
   fit,
+  walk,
 };
 
 const [name, ...words] = process.argv.slice(2);

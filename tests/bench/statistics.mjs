@@ -48,3 +48,49 @@ export function* numbers(seed) {
     yield state / 2 ** 32;
   }
 }
+
+/** Returns the root of a falling function between `from` and `to`. */
+function rootOfFalling(f, from, to) {
+  for (let i = 0; i < 200; ++i) {
+    const middle = (from + to) / 2;
+    if (f(middle) > 0) from = middle;
+    else to = middle;
+  }
+  return (from + to) / 2;
+}
+
+/** P(X <= count) of a Poisson distribution. */
+function poissonAtMost(count, mean) {
+  let term = Math.exp(-mean);
+  let sum = term;
+  for (let k = 1; k <= count; ++k) sum += term *= mean / k;
+  return sum;
+}
+
+/** P(X <= count) of a binomial distribution. */
+function binomialAtMost(count, trials, share) {
+  if (share <= 0) return 1;
+  if (share >= 1) return count >= trials ? 1 : 0;
+  let log = trials * Math.log1p(-share);
+  let sum = Math.exp(log);
+  for (let k = 1; k <= count; ++k) {
+    log += Math.log(((trials - k + 1) / k) * (share / (1 - share)));
+    sum += Math.exp(log);
+  }
+  return sum;
+}
+
+/** Returns the exact 95 % interval [from, to] of the mean of a Poisson distribution that gave `count`. */
+export function poissonInterval(count) {
+  const far = count + 10 * Math.sqrt(count + 1) + 20;
+  const to = rootOfFalling((mean) => poissonAtMost(count, mean) - 0.025, 0, far);
+  const from = count === 0 ? 0 : rootOfFalling((mean) => poissonAtMost(count - 1, mean) - 0.975, 0, far);
+  return [from, to];
+}
+
+/** Returns the exact 95 % interval [from, to] of a share of which `count` of `trials` were seen (Clopper and Pearson). */
+export function binomialInterval(count, trials) {
+  const to = count === trials ? 1 : rootOfFalling((share) => binomialAtMost(count, trials, share) - 0.025, 0, 1);
+  const from = count === 0 ? 0 : rootOfFalling((share) => binomialAtMost(count - 1, trials, share) - 0.975, 0, 1);
+  return [from, to];
+}

@@ -2,7 +2,16 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { differenceOf, equivalence, exponentOf, interval, meanOf, numbers } from "./statistics.mjs";
+import {
+  binomialInterval,
+  differenceOf,
+  equivalence,
+  exponentOf,
+  interval,
+  meanOf,
+  numbers,
+  poissonInterval,
+} from "./statistics.mjs";
 
 const take = (count, source) => Array.from({ length: count }, () => source.next().value);
 const near = (value, expected, by) =>
@@ -63,4 +72,14 @@ test("powers are found whatever their factor", () => {
   for (const exponent of [0.5, 1, 2])
     for (const factor of [0.01, 40])
       near(exponentOf([3, 4, 5, 6, 7].map((x) => [x, factor * x ** exponent])), exponent, 1e-12);
+});
+
+test("exact intervals of counts are those of the tables", () => {
+  const about = (found, wanted) => wanted.forEach((value, i) => near(found[i], value, 5e-4));
+  about(poissonInterval(0), [0, 3.6889]);
+  about(poissonInterval(2), [0.2422, 7.2247]);
+  about(poissonInterval(10), [4.7954, 18.3904]);
+  about(binomialInterval(0, 128), [0, 0.0284]);
+  about(binomialInterval(5, 10), [0.1871, 0.8129]);
+  about(binomialInterval(10, 10), [0.6915, 1]);
 });

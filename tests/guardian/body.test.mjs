@@ -68,6 +68,7 @@ const float = (value) => {
   return bytes.toString("hex");
 };
 const kWalk = `0a05` + `0d${float(0.2)}`; // walk_speed {x: 0.2}
+const kKick = "1a00"; // kick
 const kSit = "2002"; // posture: SIT
 const kStand = "2001";
 const kHead = (yaw, pitch) => `320a0d${float(yaw)}15${float(pitch)}`; // head_angles
@@ -107,7 +108,7 @@ describe("body nao", { concurrency: 4 }, () => {
     await live.until(() => newest("motion_status").standing, "it stands");
   });
 
-  test("a team's process moves the head and sits it down; a walk is refused visibly", async (t) => {
+  test("a team's process moves the head, walks, stops and sits it down; a kick on one leg is refused visibly", async (t) => {
     const { world, live, newest, door } = await open(t, ["body", "motion_status", "joints"]);
     await live.until(() => newest("body"), "the body");
     await world.play();
@@ -120,14 +121,34 @@ describe("body nao", { concurrency: 4 }, () => {
     await there.catch((error) =>
       assert.fail(`${error.message}: ${JSON.stringify(newest("body"))} ${JSON.stringify(newest("motion_status"))}`),
     );
+    command(kKick);
+    const refusal = "body nao kicks only with a step of the walk (in_walk): it stands";
+    await live.until(() => newest("body").refused === refusal, "the refusal");
+    const walks = () => newest("motion_status").walking && newest("motion_status").velocity_x > 0.15;
     command(kWalk);
-    await live.until(() => newest("body").refused === "body nao does not walk yet: it stands", "the refusal");
+    const knees = [];
+    await live.until(() => (knees.push(newest("joints").position[10]), walks()), "it walks");
+    assert.ok(Math.max(...knees) - Math.min(...knees) > 0.1, "the knee bends and stretches");
+    command(kStand);
+    await live.until(() => !newest("motion_status").walking && newest("motion_status").standing, "it stands again");
     command(kSit);
     await live.until(() => newest("motion_status").running === "sit", "it sits down");
     await world.untilSeated();
     assert.equal(newest("body").refused, "");
     command(kStand);
     await world.untilStanding();
+  });
+
+  test("a runtime that is killed while the robot walks leaves it standing, then seated", async (t) => {
+    const { world, server, live, newest, door } = await open(t, ["body", "motion_status"]);
+    await live.until(() => newest("body"), "the body");
+    await world.play();
+    const command = commander(t, door);
+    command(kWalk);
+    await live.until(() => newest("motion_status").walking, "it walks");
+    live.socket.terminate();
+    server.kill("SIGKILL");
+    await world.untilSeated();
   });
 
   test("sit_and_soft needs no token and takes the stiffness away", async (t) => {

@@ -36,7 +36,8 @@ struct Case {
   double turf = 0;      // [m]
   double delay = 0;     // [s] more
   double wider = 1;
-  Parameters parameters;
+  bool ball = false;
+  Parameters parameters = {};
 };
 
 Plan steady(const Command& command, double duration) {
@@ -72,6 +73,27 @@ Plan game_like(std::uint64_t seed, double duration) {
 
 Plan stopping(const Command& command) {
   return {.duration = 8, .command = [=](double now) { return now < kStart || now >= 4.5 ? Command{} : command; }};
+}
+
+/// A kick while walking, with a ball before the foot.
+Case kicks(KickStep kick, double ahead, double aside) {
+  return {.plan = [=](std::uint64_t seed, int) {
+            const Side foot = seed % 2 == 0 ? left : right;
+            const double error = 0.015;
+            return Plan{.duration = 7,
+                        .command =
+                            [=](double now) {
+                              if (now < kStart) return Command{};
+                              Command command{.forward = 0.1, .foot = foot};
+                              if (now > 3 && now < 3.55) command.kick = kick;
+                              return command;
+                            },
+                        .pushes = {},
+                        .with_ball = true,
+                        .ball_ahead = ahead + error * (2 * drawn(seed, 1) - 1),
+                        .ball_left = sign_of(foot) * (aside + error * (2 * drawn(seed, 2) - 1))};
+          },
+          .ball = true};
 }
 
 Case constant(const Command& command, double duration = 40) {
@@ -116,6 +138,8 @@ const std::map<std::string, Case>& cases() {
       {"push 2.4 standing", pushes(2.4, {})},
       {"push 3.0 walking", pushes(3.0, slow)},
       {"push 3.0 standing", pushes(3.0, {})},
+      {"kick forward", kicks(KickStep::forward, 0.17, 0.05)},
+      {"kick side", kicks(KickStep::side, 0.05, 0.17)},
       {"turf 8 mm", changed(constant(ahead, 18), [](Case& one) { one.turf = 0.008; })},
       {"delay 40 ms", changed(constant(ahead), [](Case& one) { one.delay = 0.02; })},
       {"ranges 20 % wider", changed(constant(ahead), [](Case& one) { one.wider = 1.2; })},
@@ -152,6 +176,7 @@ class Tally {
       turned_.push_back(outcome.turned / outcome.measured);
     }
     last_step_.push_back(outcome.last_step);
+    if (plan.with_ball) ball_speed_.push_back(outcome.ball_speed);
     if (fell && !plan.pushes.empty()) until_fall_.push_back(outcome.time - plan.pushes.front().time);
   }
 
@@ -167,6 +192,7 @@ class Tally {
             {"left", quantile(left_, 0.5)},
             {"turned", quantile(turned_, 0.5)},
             {"last_steps", last_step_},
+            {"ball_speeds", ball_speed_},
             {"seconds_until_fall", until_fall_}};
   }
 
@@ -174,14 +200,14 @@ class Tally {
   int trials_ = 0, falls_ = 0, slow_ = 0;
   double minutes_ = 0, metres_ = 0;
   std::array<int, kDirections> trials_of_{}, falls_of_{};
-  std::vector<double> forward_, left_, turned_, last_step_, until_fall_;
+  std::vector<double> forward_, left_, turned_, last_step_, ball_speed_, until_fall_;
 };
 
 Json played(const Case& one, std::uint64_t first_seed, int robots) {
   const Legs standing = stand(one.parameters);
   std::array<std::unique_ptr<Physics>, 2> physics;  // by the reading of the inertias
   for (const bool about_origin : {false, true})
-    physics[about_origin] = std::make_unique<Physics>(Scene{.turf = one.turf > 0, .about_origin = about_origin});
+    physics[about_origin] = std::make_unique<Physics>(Scene{.turf = one.turf > 0, .ball = one.ball, .about_origin = about_origin});
   Json all;
   for (const Servos servos : {Servos::stiff, Servos::soft}) {
     Tally tally;

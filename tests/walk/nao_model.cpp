@@ -249,9 +249,10 @@ std::string model_of(const Scene& scene) {
     all += chain(kArm, is_left, scene.about_origin);
   }
   all += "</body>";
+  // stiffness and damping of a contact after which 0.4 of the speed are left, as the simulator has it
   if (scene.ball)
     all += text("<body name='ball' pos='0 20 %g'><freejoint/><geom name='ball' type='sphere' size='%g' mass='0.044' "
-                "friction='0.5 0.003 0.0001'/></body>",
+                "friction='0.5 0.003 0.0001' priority='1' solref='-3000 -6.4'/></body>",
                 kBallRadius, kBallRadius);
   if (scene.box)
     all += "<body name='box' pos='0 -20 0.27'><freejoint/><geom name='box' type='box' size='0.06 0.13 0.265' "

@@ -14,6 +14,7 @@ class OurGait final : public Gait {
     return walk_.tick(sensors, command, dt);
   }
   bool steps() const override { return walk_.steps(); }
+  bool kicks() const override { return walk_.kick() != KickStep::none; }
 
  private:
   Walk walk_;

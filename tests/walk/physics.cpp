@@ -77,7 +77,7 @@ void Physics::reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& leg
     const bool floor = geom == 0, round = model.geom_type[geom] == mjGEOM_SPHERE;
     // MuJoCo takes the greater friction of both sides
     model.geom_friction[3 * geom] = floor ? 0.01 : round ? 0.5 : robot.friction;
-    model.geom_solref[2 * geom] = robot.softness;
+    if (!round) model.geom_solref[2 * geom] = robot.softness;
   }
   if (model.nhfield > 0)
     for (int i = 0; i < model.hfield_nrow[0] * model.hfield_ncol[0]; ++i)
@@ -158,6 +158,7 @@ Truth Physics::truth() const {
   if (ball_ >= 0) {
     const int dof = model_->jnt_dofadr[model_->body_jntadr[ball_]];
     truth.ball_speed = std::hypot(data.qvel[dof], data.qvel[dof + 1]);
+    truth.ball_direction = std::remainder(std::atan2(data.qvel[dof + 1], data.qvel[dof]) - truth.heading, 2 * M_PI);
   }
   return truth;
 }

@@ -22,6 +22,7 @@ struct Truth {
   double upright = 1;               // cosine of the tilt
   double fall_direction = 0;        // [rad] of the tilt, from the robot's front, > 0 to the left
   double ball_speed = 0;            // [m/s]
+  double ball_direction = 0;        // [rad] of its velocity, from the robot's front
 };
 
 /// A simulated robot with servos, delays and imperfect sensors. It may be reset for any number of robots with the same

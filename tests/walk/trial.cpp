@@ -13,7 +13,6 @@ constexpr double kSampled = 0.2;     // [s] from one sample of the pose to the n
 constexpr double kWarmUp = 2;        // [s] until the displacements count
 constexpr double kFallen = 0.5;      // cosine of 60°
 constexpr double kLowest = 0.2;      // [m]
-constexpr double kBallAhead = 0.155, kBallLeft = 0.055;  // [m] from the torso to the place of the ball
 
 constexpr std::array<std::array<Joint, kLegJoints>, 2> kJoints = {{
     {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll},
@@ -83,8 +82,8 @@ Outcome run(Physics& physics, Gait& gait, const DrawnRobot& robot, std::uint64_t
       physics.command(targets);
       if (gait.steps()) outcome.last_step = now;
     }
-    if (plan.ball_at >= 0 && now >= plan.ball_at && !ball_lies) {
-      physics.place_ball(kBallAhead, kBallLeft + plan.ball_aside);
+    if (plan.with_ball && gait.kicks() && !ball_lies) {
+      physics.place_ball(plan.ball_ahead, plan.ball_left);
       ball_lies = true;
     }
 
@@ -99,7 +98,8 @@ Outcome run(Physics& physics, Gait& gait, const DrawnRobot& robot, std::uint64_t
       odometer.see(truth, plan.command(now).forward, now > kWarmUp, outcome);
       next_sample += kSampled;
     }
-    if (ball_lies) outcome.ball_speed = std::max(outcome.ball_speed, truth.ball_speed);
+    if (ball_lies && truth.ball_speed > outcome.ball_speed)
+      outcome.ball_speed = truth.ball_speed, outcome.ball_direction = truth.ball_direction;
     if (truth.upright < kFallen || truth.height < kLowest || !(truth.height < 10)) {
       outcome.fell = true, outcome.direction = truth.fall_direction;
       break;

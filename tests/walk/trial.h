@@ -18,6 +18,8 @@ class Gait {
   virtual Legs tick(const Sensors& sensors, const Command& command, double dt) = 0;
   /// Reports whether it makes steps.
   virtual bool steps() const = 0;
+  /// Reports whether this step kicks.
+  virtual bool kicks() const { return false; }
 };
 
 /// A blow to the torso. It takes 50 ms.
@@ -33,8 +35,9 @@ struct Plan {
   double dt = 0.012;     // [s] from frame to frame; LoLA has 12 ms
   std::function<Command(double)> command;  // by time [s]
   std::vector<Push> pushes;
-  double ball_at = -1;     // [s] puts the ball before the left foot; < 0: never
-  double ball_aside = 0;   // [m]
+  bool with_ball = false;   // puts the ball down when a step with a kick begins
+  double ball_ahead = 0;    // [m] from the torso
+  double ball_left = 0;     // [m]
   double box_ahead = 0;    // [m] distance of the box at the beginning; 0: none
   double box_aside = 0;    // [m]
 };
@@ -51,7 +54,8 @@ struct Outcome {
   double measured = 0;      // [s] in which these were summed
   double slow = 0;          // [s] longest time with less than half of the commanded forward speed
   double last_step = 0;     // [s] time at which it last made a step
-  double ball_speed = 0;    // [m/s] greatest speed of the ball
+  double ball_speed = 0;      // [m/s] greatest speed of the ball
+  double ball_direction = 0;  // [rad] of that velocity, in the robot's frame
 
   bool failed() const { return fell || slow > 10; }
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr double kHip = Parameters{}.hip_height;
 
 Outcome walked(Servos servos, std::uint64_t seed, const Plan& plan) {
-  Physics physics({.ball = plan.ball_at >= 0});
+  Physics physics({.ball = plan.with_ball});
   OurGait gait;
   return run(physics, gait, draw_robot(seed, servos), seed, stand(), kHip, plan);
 }

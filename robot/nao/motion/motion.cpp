@@ -10,6 +10,7 @@ namespace robot::nao {
 namespace {
 
 constexpr float kLongestStep = 0.1f;  // [s] longest step of the head after a gap
+constexpr float kSideways = 0.6f;     // [rad] kicks in a direction farther off are not forward
 constexpr float kArrived = 0.03f;     // [rad] largest error of a head that has arrived
 
 float towards(float from, float to, float step) { return from + clamp(to - from, {-step, step}); }
@@ -21,7 +22,8 @@ float speed_of(bool given, float speed, std::size_t joint) {
 
 /// Returns why the body cannot do this, or "" if it can.
 std::string refusal_of(const pb::MotionCommand& command, Doing doing) {
-  if (command.has_kick()) return "body nao does not kick yet: it stands";
+  if (command.has_kick() && !command.kick().in_walk())
+    return "body nao kicks only with a step of the walk (in_walk): it stands";
   if (command.has_scripted())
     return "body nao has no motion '" + command.scripted().name().substr(0, 40) + "': it stands";
   if (command.posture() == pb::MotionCommand::POSTURE_GET_UP && (doing == Doing::fallen || doing == Doing::falling))
@@ -70,6 +72,10 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
   const bool stops = posture_ == Order::Posture::sit && legs_.steps();
   order.posture = stops ? Order::Posture::stand : posture_;
   if (may_walk_) legs_.drive(report, walk_, dt, order);
+  if (legs_.kicks()) {
+    kicked_ = true;
+    walk_ = {};
+  }
   if (!head_) return order;
   for (const auto& [joint, target, speed] :
        {std::tuple{head_yaw, head_->yaw, head_->yaw_speed}, {head_pitch, head_->pitch, head_->pitch_speed}}) {
@@ -106,7 +112,26 @@ void Motion::take_walk(const pb::MotionCommand& command) {
       return;
     walk_ = towards({to.x(), to.y(), to.heading()}, to.gain(), limits);
   }
+  if (command.has_kick() && command.kick().in_walk()) {
+    kick_ = command.kick().type();
+    if (!kicked_) walk_ = kick_step(command.kick());
+  } else {
+    kick_.clear();
+    kicked_ = false;
+  }
   may_walk_ |= !walk_.stands();
+}
+
+/// Returns the step that kicks: with the foot nearer to the ball, outwards for a direction to the side of that foot.
+walk::Command Motion::kick_step(const pb::Kick& kick) const {
+  walk::Command command;
+  const bool is_left = kick.leg() == pb::Kick::LEG_LEFT || (kick.leg() != pb::Kick::LEG_RIGHT && kick.ball_y() > 0);
+  command.foot = is_left ? walk::left : walk::right;
+  const float outwards = is_left ? kick.direction() : -kick.direction();
+  command.kick = outwards > kSideways    ? walk::KickStep::side
+                 : outwards < -kSideways ? walk::KickStep::turn
+                                         : walk::KickStep::forward;
+  return command;
 }
 
 void Motion::aim(const Report& report, const pb::MotionCommand& command) {
@@ -145,6 +170,7 @@ Motion::HeadTarget Motion::look_to(const Report& report, const pb::LookTo& place
 void Motion::fill_status(const Report& report, pb::MotionStatus& status) const {
   fill(report, status);
   legs_.fill_status(status);
+  if (!kick_.empty() && status.walking() && (!kicked_ || legs_.kicks())) status.set_running(kick_);
   const auto away = [&](std::size_t joint, float target) {
     return std::abs(report.sensors.position[joint] - target) > kArrived;
   };

@@ -14,8 +14,9 @@ namespace robot::nao {
 
 namespace pb = foresight;
 
-/// The motions of the body `nao`: it walks, turns the head, stands, sits, freezes and softens. It does not kick or get up
-/// from the ground yet: it stands instead, and refused() says so. Pure; used by one thread.
+/// The motions of the body `nao`: it walks, kicks with a step, turns the head, stands, sits, freezes and softens. It has no
+/// kicks on one leg and does not get up from the ground yet: it stands instead, and refused() says so. Pure; used by one
+/// thread.
 ///
 /// The first command to walk gives the legs to the walk. From then on a standing robot that is pushed makes steps.
 class Motion {
@@ -45,6 +46,7 @@ class Motion {
 
   Order::Posture posture_of(const pb::MotionCommand& command) const;
   void take_walk(const pb::MotionCommand& command);
+  walk::Command kick_step(const pb::Kick& kick) const;
   void aim(const Report& report, const pb::MotionCommand& command);
   HeadTarget look_to(const Report& report, const pb::LookTo& place) const;
 
@@ -52,6 +54,8 @@ class Motion {
   WalkingLegs legs_;
   bool may_walk_ = false;  // a command to walk has come
   walk::Command walk_;
+  std::string kick_;     // type of the commanded kick
+  bool kicked_ = false;  // the commanded kick has begun
   std::optional<HeadTarget> head_;  // nothing: no command for the head yet
   Order::Posture posture_ = Order::Posture::stand;
   std::string refused_;

@@ -47,7 +47,9 @@ void WalkingLegs::drive(const Report& report, const walk::Command& command, floa
     const walk::Sensors sensors = walking_sensors(report);
     // a warm robot has half of its speed
     const double share = report.limited ? 0.5 : 1;
-    targets_ = walk_->tick(sensors, {share * command.forward, share * command.left, share * command.turn}, dt);
+    walk::Command slower = command;
+    slower.forward *= share, slower.left *= share, slower.turn *= share;
+    targets_ = walk_->tick(sensors, slower, dt);
     stops_ = command.stands();
   }
   for_each_joint([&](walk::Side side, std::size_t joint, Joint name) {

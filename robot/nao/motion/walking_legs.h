@@ -24,6 +24,9 @@ class WalkingLegs {
   /// Reports whether the robot makes steps.
   bool steps() const { return walk_ && walk_->steps(); }
 
+  /// Reports whether the present step kicks.
+  bool kicks() const { return walk_ && walk_->kick() != walk::KickStep::none; }
+
   /// Fills the fields about walking. The others keep their values.
   void fill_status(foresight::MotionStatus& status) const;
 

@@ -171,6 +171,7 @@ void Walk::begin_step(const Sensors& sensors, const Command& command) {
   approach(command.forward * calm_, p.forward_change, speed_.forward);
   approach(command.left * calm_, p.side_change, speed_.left);
   approach(command.turn * calm_ + return_, p.turn_change, speed_.turn);
+  kick_ = command.foot == swing_ && count_ > kWarmUp ? command.kick : KickStep::none;
   ends_ = command.stands() && std::abs(speed_.forward) < kStopSpeed && std::abs(speed_.left) < kStopSpeed;
   stride_ = ((1 + p.slip) * speed_.forward + correction_.forward) * p.period;
   const double side = (speed_.left + correction_.left) * p.period, turn = speed_.turn * p.period * p.turn_gain;
@@ -205,6 +206,15 @@ void Walk::catch_fall(const Tipping& error, double dt) {
   if (std::abs(shift_.forward) > std::abs(worst_shift_.forward)) worst_shift_ = shift_;
 }
 
+/// Returns the swing of a kick: -1 drawn back, 1 ahead.
+double Walk::kick_swing() const {
+  const Parameters& p = parameters_;
+  const double now = phase();
+  if (now < p.kick_from) return -smooth(now / p.kick_from);
+  if (now < p.kick_contact) return -1 + 2 * smooth((now - p.kick_from) / (p.kick_contact - p.kick_from));
+  return 1 - smooth((now - p.kick_contact) / (p.kick_over - p.kick_contact));
+}
+
 double Walk::lift() const {
   const Parameters& p = parameters_;
   const double height = p.lift + p.lift_per_stride * std::abs(stride_) +
@@ -234,6 +244,12 @@ void Walk::move_feet() {
   free.x = between(start_[swing_].x, stride_ / 2 + (1 - landing) * stride_, arrives) - back + shifted * shift_.forward;
   free.y = between(start_[swing_].y, end_[swing_].y, arrives) + shifted * shift_.left;
   free.yaw = between(start_[swing_].yaw, end_[swing_].yaw, arrives);
+  if (kick_ != KickStep::none) {
+    const double swing = kick_swing(), out = sign_of(swing_), most = std::max(swing, 0.0);
+    if (kick_ == KickStep::forward) free.x += swing < 0 ? swing * parameters_.kick_back : swing * parameters_.kick_ahead;
+    if (kick_ == KickStep::side) free.y += out * most * parameters_.kick_side;
+    if (kick_ == KickStep::turn) free.yaw -= out * most * parameters_.kick_turn;
+  }
   free.z = now < 1 ? lift() * std::pow(std::sin(std::numbers::pi * now), kLiftPower) : 0;
 }
 

@@ -40,6 +40,8 @@ class Walk {
   int count() const { return count_; }
   /// Returns the planned speed of the present step.
   const Command& speed() const { return speed_; }
+  /// Returns the kick of the present step.
+  KickStep kick() const { return stepping_ ? kick_ : KickStep::none; }
   /// Returns the shift of the swing foot that catches a fall.
   const Tipping& caught() const { return shift_; }
   const Balance& balance() const { return balance_; }
@@ -64,7 +66,9 @@ class Walk {
   void move_feet();
   void close_feet(double dt);
   void pose(const Sensors& sensors, double dt);
-  double phase() const { return time_ / parameters_.period; }
+  double period() const { return kick_ == KickStep::none ? parameters_.period : parameters_.kick_period; }
+  double phase() const { return time_ / period(); }
+  double kick_swing() const;
   double lift() const;
 
   const Parameters parameters_;
@@ -79,6 +83,7 @@ class Walk {
   double duration_ = 0;          // [s] of the last one
   Command speed_;                // planned
   double stride_ = 0;            // [m] of the present step
+  KickStep kick_ = KickStep::none;
   bool ends_ = false;            // steps on the spot until it may stand
   std::array<Foot, 2> feet_{};   // now
   std::array<Foot, 2> start_{};  // at the beginning of the step

@@ -230,10 +230,38 @@ TEST_F(NaoMotion, WalksToAPlaceAndStandsThere) {
   EXPECT_FALSE(status().walking());
 }
 
+TEST_F(NaoMotion, KicksOnceWithAStepOfTheFootNearTheBall) {
+  for (const double ball_y : {0.06, -0.06}) {
+    command.mutable_walk_speed()->set_x(0.1f);
+    for (int i = 0; i < 150; ++i) next();
+    pb::Kick& kick = *command.mutable_kick();
+    kick.set_type("walk_forward");
+    kick.set_in_walk(true);
+    kick.set_ball_x(0.17f);
+    kick.set_ball_y(static_cast<float>(ball_y));
+    int kicks = 0;
+    bool kicking = false;
+    for (int i = 0; i < 300; ++i) {
+      next();
+      const pb::MotionStatus now = status();
+      // the running kick ends when its step ends
+      if (kicking && now.running().empty()) ++kicks;
+      kicking = now.running() == "walk_forward";
+      if (!kicking) continue;
+      EXPECT_TRUE(now.walking());
+    }
+    EXPECT_EQ(kicks, 1);
+    EXPECT_FALSE(status().walking()) << "then it stands";
+  }
+}
+
 TEST_F(NaoMotion, RefusesMissingMotionsWithASentence) {
   command.mutable_kick();
   next();
-  EXPECT_EQ(motion.refused(), "body nao does not kick yet: it stands");
+  EXPECT_EQ(motion.refused(), "body nao kicks only with a step of the walk (in_walk): it stands");
+  command.mutable_kick()->set_in_walk(true);
+  next();
+  EXPECT_EQ(motion.refused(), "");
   command.mutable_scripted()->set_name("dance");
   next();
   EXPECT_EQ(motion.refused(), "body nao has no motion 'dance': it stands");

@@ -62,7 +62,14 @@ Sensors drawn(std::mt19937& random) {
 
 Command drawn_command(std::mt19937& random) {
   std::uniform_real_distribution<double> part(-1, 1);
-  return {0.25 * part(random), 0.15 * part(random), part(random)};
+  Command command{.forward = 0.25 * part(random), .left = 0.15 * part(random), .turn = part(random)};
+  if (part(random) > 0.9) command.kick = static_cast<KickStep>(1 + random() % 3);
+  command.foot = random() % 2 == 0 ? left : right;
+  return command;
+}
+
+Command mirrored(const Command& command) {
+  return {command.forward, -command.left, -command.turn, command.kick, other(command.foot)};
 }
 
 Sensors mirrored(const Sensors& sensors) {
@@ -158,6 +165,34 @@ TEST(Walk, TheSwingFootFollowsAFall) {
   EXPECT_LT(worst(-0.3), -0.01);
 }
 
+TEST(Walk, KicksWithTheNextStepOfThatFootAndOnlyOnceAStep) {
+  for (const KickStep kick : {KickStep::forward, KickStep::side, KickStep::turn})
+    for (const Side foot : {left, right}) {
+      Walk walk;
+      const IdealRobot robot(walk);
+      Legs targets = play(walk, {.forward = 0.1}, 2).back();
+      Command command{.forward = 0.1, .kick = kick, .foot = foot};
+      double ahead = 0, out = 0, before_ahead = 0, before_out = 0;
+      bool kicked = false;
+      for (int i = 0; i < 120; ++i) {
+        targets = walk.tick(robot.sense(targets), command, kFrame);
+        const Point sole = sole_of(targets[foot], foot);
+        if (walk.kick() != KickStep::none) {
+          EXPECT_EQ(walk.kick(), kick);
+          EXPECT_EQ(walk.swing(), foot);
+          kicked = true, command.kick = KickStep::none;
+          ahead = std::max(ahead, sole.x), out = std::max(out, sign_of(foot) * sole.y);
+        } else if (!kicked) {
+          before_ahead = std::max(before_ahead, sole.x), before_out = std::max(before_out, sign_of(foot) * sole.y);
+        }
+      }
+      EXPECT_TRUE(kicked);
+      EXPECT_EQ(walk.kick(), KickStep::none);
+      if (kick == KickStep::forward) { EXPECT_GT(ahead, before_ahead + 0.03); }
+      if (kick == KickStep::side) { EXPECT_GT(out, before_out + 0.03); }
+    }
+}
+
 TEST(Walk, MirroredInputsGiveMirroredLegs) {
   std::mt19937 random(5);
   Walk walk, image;
@@ -166,7 +201,7 @@ TEST(Walk, MirroredInputsGiveMirroredLegs) {
     if (i == 0) sensors.roll = 0.25, sensors.rate[0] = 0;  // it decides which foot is first
     const Command command = i % 200 < 150 ? drawn_command(random) : Command{};
     const Legs legs = walk.tick(sensors, command, kFrame);
-    const Legs mirror = image.tick(mirrored(sensors), {command.forward, -command.left, -command.turn}, kFrame);
+    const Legs mirror = image.tick(mirrored(sensors), mirrored(command), kFrame);
     for (const Side side : {left, right})
       for (const LegJoint joint : {hip_yaw_pitch, hip_roll, hip_pitch, knee_pitch, ankle_pitch, ankle_roll}) {
         const double sign = joint == hip_roll || joint == ankle_roll ? -1 : 1;
