@@ -77,22 +77,23 @@ Plan stopping(const Command& command) {
 
 /// A kick while walking, with a ball before the foot.
 Case kicks(KickStep kick, double ahead, double aside) {
-  return {.plan = [=](std::uint64_t seed, int) {
-            const Side foot = seed % 2 == 0 ? left : right;
-            const double error = 0.015;
-            return Plan{.duration = 7,
-                        .command =
-                            [=](double now) {
-                              if (now < kStart) return Command{};
-                              Command command{.forward = 0.1, .foot = foot};
-                              if (now > 3 && now < 3.55) command.kick = kick;
-                              return command;
-                            },
-                        .pushes = {},
-                        .with_ball = true,
-                        .ball_ahead = ahead + error * (2 * drawn(seed, 1) - 1),
-                        .ball_left = sign_of(foot) * (aside + error * (2 * drawn(seed, 2) - 1))};
-          },
+  return {.plan =
+              [=](std::uint64_t seed, int) {
+                const Side foot = seed % 2 == 0 ? left : right;
+                const double error = 0.015;
+                return Plan{.duration = 7,
+                            .command =
+                                [=](double now) {
+                                  if (now < kStart) return Command{};
+                                  Command command{.forward = 0.1, .foot = foot};
+                                  if (now > 3 && now < 3.55) command.kick = kick;
+                                  return command;
+                                },
+                            .pushes = {},
+                            .with_ball = true,
+                            .ball_ahead = ahead + error * (2 * drawn(seed, 1) - 1),
+                            .ball_left = sign_of(foot) * (aside + error * (2 * drawn(seed, 2) - 1))};
+              },
           .ball = true};
 }
 
@@ -207,7 +208,8 @@ Json played(const Case& one, std::uint64_t first_seed, int robots) {
   const Legs standing = stand(one.parameters);
   std::array<std::unique_ptr<Physics>, 2> physics;  // by the reading of the inertias
   for (const bool about_origin : {false, true})
-    physics[about_origin] = std::make_unique<Physics>(Scene{.turf = one.turf > 0, .ball = one.ball, .about_origin = about_origin});
+    physics[about_origin] =
+        std::make_unique<Physics>(Scene{.turf = one.turf > 0, .ball = one.ball, .about_origin = about_origin});
   Json all;
   for (const Servos servos : {Servos::stiff, Servos::soft}) {
     Tally tally;

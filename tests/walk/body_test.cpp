@@ -25,7 +25,8 @@ constexpr Joint kLegs[2][walk::kLegJoints] = {
 template <class Legs, class Positions, class Copy>
 void for_each_leg_joint(Legs& legs, Positions& positions, Copy&& copy) {
   for (const walk::Side side : {walk::left, walk::right})
-    for (std::size_t joint = 0; joint < walk::kLegJoints; ++joint) copy(legs[side][joint], positions[kLegs[side][joint]]);
+    for (std::size_t joint = 0; joint < walk::kLegJoints; ++joint)
+      copy(legs[side][joint], positions[kLegs[side][joint]]);
 }
 
 /// A robot that stands in the mode playing. The arms and the head follow at once; the legs are in the physics.
@@ -105,7 +106,8 @@ class BodyInPhysics : public ::testing::TestWithParam<walk::Servos> {
     std::copy(from.rate.begin(), from.rate.end(), to.gyroscope.begin());
     to.angles = {static_cast<float>(from.roll), static_cast<float>(from.pitch)};
     for (std::size_t i = 0; i < to.fsr.size(); ++i) to.fsr[i] = static_cast<float>(from.load[i / 4][i % 4]);
-    for_each_leg_joint(from.joints, to.position, [](double leg, float& position) { position = static_cast<float>(leg); });
+    for_each_leg_joint(from.joints, to.position,
+                       [](double leg, float& position) { position = static_cast<float>(leg); });
   }
 
   void obey(const Actuators& answer) {

@@ -12,7 +12,9 @@ class Dice {
  public:
   explicit Dice(std::uint64_t seed) : bits_(seed) {}
 
-  double between(double low, double high) { return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53); }
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
+  }
   /// Returns a number with mean 0 and deviation 1: the sum of twelve uniform ones.
   double normal() {
     double sum = -6;

@@ -12,16 +12,16 @@ enum class Servos { stiff, soft };
 /// Everything about one robot and its ground that a trial draws. SI units, angles in radians.
 struct DrawnRobot {
   Servos servos = Servos::stiff;
-  double gain = 60;        // [N m/rad] of the servos
-  double damping = 1;      // [N m s/rad] of the joints
-  double armature = 0.01;  // [kg m²]
-  double torque = 1;       // share of the motors' torque
-  double play = 0;         // [rad] of the joints
-  double friction = 0.8;   // of soles and ground
-  double softness = 0.01;  // [s] time constant of contacts
-  double turf = 0;         // [m] height of the ground's bumps
-  double delay = 0.02;     // [s] from a target to its effect
-  bool about_origin = false;  // Scene::about_origin
+  double gain = 60;                               // [N m/rad] of the servos
+  double damping = 1;                             // [N m s/rad] of the joints
+  double armature = 0.01;                         // [kg m²]
+  double torque = 1;                              // share of the motors' torque
+  double play = 0;                                // [rad] of the joints
+  double friction = 0.8;                          // of soles and ground
+  double softness = 0.01;                         // [s] time constant of contacts
+  double turf = 0;                                // [m] height of the ground's bumps
+  double delay = 0.02;                            // [s] from a target to its effect
+  bool about_origin = false;                      // Scene::about_origin
   std::array<std::array<double, 6>, 2> offset{};  // [rad] of the joints, by Side
   std::array<double, 3> rate_bias{};              // [rad/s]
   double rate_noise = 0.03;                       // [rad/s]

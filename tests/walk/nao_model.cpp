@@ -149,8 +149,8 @@ Inertia about_origin(const Link& link) {
   const auto [x, y, z] = link.centre;
   const double m = link.mass;
   const Inertia& i = link.inertia;
-  return {i[0] + m * (y * y + z * z), i[1] + m * (x * x + z * z), i[2] + m * (x * x + y * y), i[3] - m * x * y,
-          i[4] - m * x * z,           i[5] - m * y * z};
+  return {i[0] + m * (y * y + z * z), i[1] + m * (x * x + z * z), i[2] + m * (x * x + y * y),
+          i[3] - m * x * y,           i[4] - m * x * z,           i[5] - m * y * z};
 }
 
 /// Returns the link of the other side: mirrored at the plane between the sides.
@@ -190,7 +190,8 @@ std::string sole(bool is_left) {
                                    Place{"rr", -0.019, -0.0215}})
     all += text("<site name='%c_%s' type='box' size='0.041 0.0235 0.02' pos='%g %g -0.0451'/>", letter, name, x,
                 middle + y);
-  return all + text("<geom name='%c_sole' type='box' pos='0.02 %g -0.04011' size='0.078 0.043 0.005'/>", letter, middle);
+  return all +
+         text("<geom name='%c_sole' type='box' pos='0.02 %g -0.04011' size='0.078 0.043 0.005'/>", letter, middle);
 }
 
 template <std::size_t Size>
@@ -251,12 +252,14 @@ std::string model_of(const Scene& scene) {
   all += "</body>";
   // stiffness and damping of a contact after which 0.4 of the speed are left, as the simulator has it
   if (scene.ball)
-    all += text("<body name='ball' pos='0 20 %g'><freejoint/><geom name='ball' type='sphere' size='%g' mass='0.044' "
-                "friction='0.5 0.003 0.0001' priority='1' solref='-3000 -6.4'/></body>",
-                kBallRadius, kBallRadius);
+    all += text(
+        "<body name='ball' pos='0 20 %g'><freejoint/><geom name='ball' type='sphere' size='%g' mass='0.044' "
+        "friction='0.5 0.003 0.0001' priority='1' solref='-3000 -6.4'/></body>",
+        kBallRadius, kBallRadius);
   if (scene.box)
-    all += "<body name='box' pos='0 -20 0.27'><freejoint/><geom name='box' type='box' size='0.06 0.13 0.265' "
-           "mass='5.3' friction='0.7'/></body>";
+    all +=
+        "<body name='box' pos='0 -20 0.27'><freejoint/><geom name='box' type='box' size='0.06 0.13 0.265' "
+        "mass='5.3' friction='0.7'/></body>";
   all += "</worldbody><equality><joint joint1='LHipYawPitch' joint2='RHipYawPitch' solref='0.004 1'/></equality>";
   all += "<actuator>" + motors() + "</actuator><sensor>" + sensors() + "</sensor></mujoco>";
   return all;

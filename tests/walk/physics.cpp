@@ -12,14 +12,14 @@
 namespace robot::nao::walk {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s²]
+constexpr double kGravity = 9.81;         // [m/s²]
 constexpr double kTorsoAboveHip = 0.085;  // [m] from the hips to the origin of the torso
 constexpr double kAngleNoise = 0.003;     // [rad]
 constexpr double kLoadNoise = 0.02;       // [kg]
 constexpr std::array<const char*, kLegJoints> kNames = {"HipYawPitch", "HipRoll",    "HipPitch",
                                                         "KneePitch",   "AnklePitch", "AnkleRoll"};
 // by joint: speeds without load and torques of the motors with their gears
-constexpr std::array<double, kLegJoints> kSpeed = {4.16, 4.16, 6.4, 6.4, 6.4, 4.16};           // [rad/s]
+constexpr std::array<double, kLegJoints> kSpeed = {4.16, 4.16, 6.4, 6.4, 6.4, 4.16};      // [rad/s]
 constexpr std::array<double, kLegJoints> kTorque = {13.69, 13.69, 8.9, 8.9, 8.9, 13.69};  // [N m]
 
 /// Loads the model through a file in memory.

@@ -8,11 +8,11 @@
 namespace robot::nao::walk {
 namespace {
 
-constexpr double kBlow = 0.05;       // [s] duration of a push
-constexpr double kSampled = 0.2;     // [s] from one sample of the pose to the next
-constexpr double kWarmUp = 2;        // [s] until the displacements count
-constexpr double kFallen = 0.5;      // cosine of 60°
-constexpr double kLowest = 0.2;      // [m]
+constexpr double kBlow = 0.05;    // [s] duration of a push
+constexpr double kSampled = 0.2;  // [s] from one sample of the pose to the next
+constexpr double kWarmUp = 2;     // [s] until the displacements count
+constexpr double kFallen = 0.5;   // cosine of 60°
+constexpr double kLowest = 0.2;   // [m]
 
 constexpr std::array<std::array<Joint, kLegJoints>, 2> kJoints = {{
     {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll},

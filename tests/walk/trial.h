@@ -31,29 +31,29 @@ struct Push {
 
 /// The course of one trial.
 struct Plan {
-  double duration = 40;  // [s]
-  double dt = 0.012;     // [s] from frame to frame; LoLA has 12 ms
+  double duration = 40;                    // [s]
+  double dt = 0.012;                       // [s] from frame to frame; LoLA has 12 ms
   std::function<Command(double)> command;  // by time [s]
   std::vector<Push> pushes;
-  bool with_ball = false;   // puts the ball down when a step with a kick begins
-  double ball_ahead = 0;    // [m] from the torso
-  double ball_left = 0;     // [m]
+  bool with_ball = false;  // puts the ball down when a step with a kick begins
+  double ball_ahead = 0;   // [m] from the torso
+  double ball_left = 0;    // [m]
   double box_ahead = 0;    // [m] distance of the box at the beginning; 0: none
   double box_aside = 0;    // [m]
 };
 
 /// The result of one trial.
 struct Outcome {
-  bool fell = false;        // a tilt of more than 60°, or the torso below 0.2 m
-  double time = 0;          // [s] of the fall, or of the end
-  double direction = 0;     // [rad] of the fall, as Push::direction
-  double forward = 0;       // [m] sum of displacements along the body, every 0.2 s, since the second second
-  double left = 0;          // [m] likewise to its left
-  double turned = 0;        // [rad] likewise
-  double path = 0;          // [m] of the torso, likewise; it counts the sway
-  double measured = 0;      // [s] in which these were summed
-  double slow = 0;          // [s] longest time with less than half of the commanded forward speed
-  double last_step = 0;     // [s] time at which it last made a step
+  bool fell = false;          // a tilt of more than 60°, or the torso below 0.2 m
+  double time = 0;            // [s] of the fall, or of the end
+  double direction = 0;       // [rad] of the fall, as Push::direction
+  double forward = 0;         // [m] sum of displacements along the body, every 0.2 s, from 2 s on
+  double left = 0;            // [m] likewise to its left
+  double turned = 0;          // [rad] likewise
+  double path = 0;            // [m] of the torso, likewise; it counts the sway
+  double measured = 0;        // [s] in which these were summed
+  double slow = 0;            // [s] longest time with less than half of the commanded forward speed
+  double last_step = 0;       // [s] time at which it last made a step
   double ball_speed = 0;      // [m/s] greatest speed of the ball
   double ball_direction = 0;  // [rad] of that velocity, in the robot's frame
 

@@ -51,8 +51,7 @@ TEST(Trial, AStandingRobotThatIsPushedStepsAndStaysUp) {
 TEST(Trial, APushThatNobodyStandsMakesItFallInItsDirection) {
   for (const double direction : {0.0, std::numbers::pi / 2, std::numbers::pi, -std::numbers::pi / 2}) {
     const Outcome outcome = walked(
-        Servos::stiff, 3,
-        {.duration = 5, .command = [](double) { return Command{}; }, .pushes = {{1, 8, direction}}});
+        Servos::stiff, 3, {.duration = 5, .command = [](double) { return Command{}; }, .pushes = {{1, 8, direction}}});
     EXPECT_TRUE(outcome.fell);
     EXPECT_LT(outcome.time, 4);
     EXPECT_NEAR(std::remainder(outcome.direction - direction, 2 * std::numbers::pi), 0, 0.6);
@@ -71,8 +70,8 @@ TEST(Trial, ARobotThatDoesNotObeyHasFailedAfterTenSeconds) {
 
 TEST(Trial, TheWorldsAxesDoNotMatter) {
   // displacements are along the body: a turning robot that walks ahead has walked ahead
-  const Outcome outcome =
-      walked(Servos::soft, 6, {.duration = 10, .command = [](double) { return Command{.forward = 0.15, .turn = 0.5}; }});
+  const Outcome outcome = walked(
+      Servos::soft, 6, {.duration = 10, .command = [](double) { return Command{.forward = 0.15, .turn = 0.5}; }});
   EXPECT_FALSE(outcome.fell);
   EXPECT_GT(outcome.forward / outcome.measured, 0.08);
   EXPECT_LT(std::abs(outcome.left / outcome.measured), 0.05);

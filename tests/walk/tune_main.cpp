@@ -99,9 +99,7 @@ class Judge {
   }
 
  private:
-  static double fall(const Outcome& outcome, double duration) {
-    return outcome.fell ? 2 - outcome.time / duration : 0;
-  }
+  static double fall(const Outcome& outcome, double duration) { return outcome.fell ? 2 - outcome.time / duration : 0; }
 
   Outcome run(const Parameters& parameters, Servos servos, std::uint64_t seed, double duration,
               const std::function<Command(double)>& command, std::vector<Push> pushes) {
@@ -129,8 +127,7 @@ int main(int count, char** words) {
   for (int generation = 0; generation < generations; ++generation) {
     std::vector<double> costs;
     for (const auto& point : search.ask())
-      costs.push_back(
-          judge.cost(at(point), first_seed + static_cast<std::uint64_t>(generation) * 1000, robots));
+      costs.push_back(judge.cost(at(point), first_seed + static_cast<std::uint64_t>(generation) * 1000, robots));
     search.tell(costs);
     const Parameters mean = at(search.mean());
     std::printf("// generation %d: best %.3f, worst %.3f, deviation %.3f\n", generation,

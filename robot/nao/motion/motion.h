@@ -54,8 +54,8 @@ class Motion {
   WalkingLegs legs_;
   bool may_walk_ = false;  // a command to walk has come
   walk::Command walk_;
-  std::string kick_;     // type of the commanded kick
-  bool kicked_ = false;  // the commanded kick has begun
+  std::string kick_;                // type of the commanded kick
+  bool kicked_ = false;             // the commanded kick has begun
   std::optional<HeadTarget> head_;  // nothing: no command for the head yet
   Order::Posture posture_ = Order::Posture::stand;
   std::string refused_;

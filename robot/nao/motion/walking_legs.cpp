@@ -6,7 +6,6 @@
 namespace robot::nao {
 namespace {
 
-
 /// The joints of both legs in LoLA's order. One motor turns both hip_yaw_pitch joints.
 constexpr std::array<std::array<Joint, walk::kLegJoints>, 2> kJointsOf = {{
     {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll},

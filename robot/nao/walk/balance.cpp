@@ -6,8 +6,8 @@
 namespace robot::nao::walk {
 namespace {
 
-constexpr double kGravity = 9.81;       // [m/s²]
-constexpr double kPartsPerPeriod = 10;  // of a step's usual course
+constexpr double kGravity = 9.81;        // [m/s²]
+constexpr double kPartsPerPeriod = 10;   // of a step's usual course
 constexpr double kLearnedAtMost = 0.02;  // [m] larger disturbances teach no more than this
 
 /// Moves `usual` a share of the way to `error`.

@@ -10,7 +10,8 @@ namespace {
 constexpr double kThigh = 0.1, kTibia = 0.1029, kFootHeight = 0.04519;  // [m]
 constexpr double kShortestLeg = 0.08;                                   // [m] from hip to ankle
 constexpr double kLongestLeg = kThigh + kTibia - 1e-4;
-constexpr double kYawPerJoint = 0.72;  // [rad/rad] about: half the difference of the feet's yaws, per angle of the joint
+constexpr double kYawPerJoint =
+    0.72;  // [rad/rad] about: half the difference of the feet's yaws, per angle of the joint
 constexpr double kLeastJoint = -1.1, kMostJoint = 0.7;  // [rad] of hip_yaw_pitch, inside its range
 
 /// A rotation about the axis of hip_yaw_pitch, which leans by 45° to the middle.
@@ -44,8 +45,8 @@ double angle_between(double a, double b, double opposite) {
 /// gets.
 double solve(double joint, Side side, const Point& sole, const Point& normal, Leg& leg) {
   const HipTurn hip(joint, side);
-  const Point ankle = hip.turned_back({sole.x + normal.x * kFootHeight, sole.y + normal.y * kFootHeight,
-                                       sole.z + normal.z * kFootHeight});
+  const Point ankle = hip.turned_back(
+      {sole.x + normal.x * kFootHeight, sole.y + normal.y * kFootHeight, sole.z + normal.z * kFootHeight});
   const Point up = hip.turned_back(normal);
 
   // hip roll points the plane of the leg at the ankle; in it, thigh and tibia are a triangle

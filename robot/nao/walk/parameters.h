@@ -20,42 +20,42 @@ struct Parameters {
   double landing = 0.9;           // [period] the swing foot moves with the ground from then on
 
   // the exchange of the support foot
-  double share = 0.3;          // [0..1] of the weight on the swing foot
-  double earliest = 0.6;       // [period]
-  double latest = 1.8;         // [period] then the exchange is forced
-  double hanging = 0.8;        // [period] longer than `latest` while the robot hangs on an outer edge
+  double share = 0.3;           // [0..1] of the weight on the swing foot
+  double earliest = 0.6;        // [period]
+  double latest = 1.8;          // [period] then the exchange is forced
+  double hanging = 0.8;         // [period] longer than `latest` while the robot hangs on an outer edge
   double hanging_share = 0.15;  // [0..1] it hangs while the swing foot carries less
-  double lookahead = 0.5;      // [ticks] the share is predicted for this time
+  double lookahead = 0.5;       // [ticks] the share is predicted for this time
 
   // angles and rates of the torso, fed back to the support leg
-  double smoothing = 0.5;                // [0..1] share of the old value in the low pass of the gyroscope
-  double rate_to_ankle_pitch = 0.08;     // [rad s/rad]
-  double rate_to_ankle_roll = 0.05;      // likewise
-  double rate_to_hip_pitch = 0.05;       // likewise
-  double tilt_to_ankle_pitch = 0.2;      // [rad/rad]
-  double tilt_to_ankle_roll = 0.05;      // likewise
+  double smoothing = 0.5;             // [0..1] share of the old value in the low pass of the gyroscope
+  double rate_to_ankle_pitch = 0.08;  // [rad s/rad]
+  double rate_to_ankle_roll = 0.05;   // likewise
+  double rate_to_hip_pitch = 0.05;    // likewise
+  double tilt_to_ankle_pitch = 0.2;   // [rad/rad]
+  double tilt_to_ankle_roll = 0.05;   // likewise
 
   // steps that catch a fall
-  double com_height = 0.27;        // [m] of the centre of mass, for the pendulum
-  double catch_forward = 0.6;      // [m/m] shift of the swing foot per error of the capture point
+  double com_height = 0.27;          // [m] of the centre of mass, for the pendulum
+  double catch_forward = 0.6;        // [m/m] shift of the swing foot per error of the capture point
   double catch_forward_from = 0.02;  // [m] smaller errors have no effect
-  double catch_forward_most = 0.07;   // [m]
+  double catch_forward_most = 0.07;  // [m]
   double catch_side = 0.8;
   double catch_side_from = 0.015;
   double catch_side_most = 0.07;
-  double counter = 1.5;             // [m/m] outward shift of the swing foot when the robot tips over the support foot
+  double counter = 1.5;  // [m/m] outward shift of the swing foot when the robot tips over the support foot
   double counter_from = 0.05;
   double counter_most = 0.1;
-  double catch_speed = 0.6;         // [m/s] fastest shift of the swing foot
-  double side_speed = 1;            // [m/s] likewise to the side
-  double learning = 0.12;           // share of a new measurement in the usual course of the error
+  double catch_speed = 0.6;          // [m/s] fastest shift of the swing foot
+  double side_speed = 1;             // [m/s] likewise to the side
+  double learning = 0.12;            // share of a new measurement in the usual course of the error
   double usual_forward_most = 0.03;  // [m] bound of that course
   double usual_side_most = 0.05;     // [m]
-  double fights_from = 0.025;       // [m] a larger shift counts as a fight for balance
-  double calm_share = 0.3;          // of the commanded speed in a fight
-  double calm_rise = 0.15;          // of it, regained in each step
-  double lean_learning = 0.02;      // share of the mean error that moves the hip, in each step
-  double lean_most = 0.03;          // [m]
+  double fights_from = 0.025;        // [m] a larger shift counts as a fight for balance
+  double calm_share = 0.3;           // of the commanded speed in a fight
+  double calm_rise = 0.15;           // of it, regained in each step
+  double lean_learning = 0.02;       // share of the mean error that moves the hip, in each step
+  double lean_most = 0.03;           // [m]
 
   // speed
   double forward_change = 0.05;  // [m/s] in a step; twice as much for slowing down
@@ -69,19 +69,19 @@ struct Parameters {
   double heading_most = 0.6;      // [rad/s] bound of that turn
 
   // kicks with a step
-  double kick_period = 0.34;   // [s] of the step that kicks
-  double kick_back = 0.03;     // [m] the foot draws back
-  double kick_ahead = 0.1;     // [m] and swings ahead, beyond its place
-  double kick_side = 0.08;     // [m] or outwards
-  double kick_turn = 0.6;      // [rad] or turns inwards
-  double kick_from = 0.2;      // [kick_period] it is back
-  double kick_contact = 0.5;   // [kick_period] it is ahead
-  double kick_over = 0.9;      // [kick_period] it is at its place
+  double kick_period = 0.34;  // [s] of the step that kicks
+  double kick_back = 0.03;    // [m] the foot draws back
+  double kick_ahead = 0.1;    // [m] and swings ahead, beyond its place
+  double kick_side = 0.08;    // [m] or outwards
+  double kick_turn = 0.6;     // [rad] or turns inwards
+  double kick_from = 0.2;     // [kick_period] it is back
+  double kick_contact = 0.5;  // [kick_period] it is ahead
+  double kick_over = 0.9;     // [kick_period] it is at its place
 
   // servos
-  double lag_share = 0.6;   // of the servos' lag that is led
-  double lag_most = 0.09;   // [s]
-  double lead_most = 0.1;   // [rad]
+  double lag_share = 0.6;  // of the servos' lag that is led
+  double lag_most = 0.09;  // [s]
+  double lead_most = 0.1;  // [rad]
 
   // standing
   double stand_forward = 0.05;  // [m] error that starts steps

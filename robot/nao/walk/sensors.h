@@ -9,10 +9,10 @@ namespace robot::nao::walk {
 
 /// One frame of sensors. Frame: torso.
 struct Sensors {
-  std::array<double, 3> rate{};             // [rad/s] of the torso, about x, y and z
-  double roll = 0, pitch = 0;               // [rad] of the torso: roll > 0 to the right, pitch > 0 forward
+  std::array<double, 3> rate{};                 // [rad/s] of the torso, about x, y and z
+  double roll = 0, pitch = 0;                   // [rad] of the torso: roll > 0 to the right, pitch > 0 forward
   std::array<std::array<double, 4>, 2> load{};  // [kg] by Side: front left, front right, rear left, rear right
-  Legs joints{};                            // [rad] measured
+  Legs joints{};                                // [rad] measured
 
   double load_of(Side side) const { return load[side][0] + load[side][1] + load[side][2] + load[side][3]; }
 };

@@ -5,10 +5,10 @@
 namespace robot::nao::walk {
 namespace {
 
-constexpr double kMemory = 0.004;     // share of a new measurement
-constexpr double kFastest = 6;        // [rad/s] faster targets count as this fast
+constexpr double kMemory = 0.004;       // share of a new measurement
+constexpr double kFastest = 6;          // [rad/s] faster targets count as this fast
 constexpr double kLeastSquares = 0.05;  // [rad²/s²] with less motion there is no regression
-constexpr double kRise = 0.02;        // share of a new lag in the lag that is led
+constexpr double kRise = 0.02;          // share of a new lag in the lag that is led
 
 }  // namespace
 

@@ -27,10 +27,10 @@ class ServoLag {
 
  private:
   const Parameters& parameters_;
-  Legs last_{};               // the last plan
-  double products_ = 0;       // [rad²/s] mean of error times speed
-  double squares_ = 0;        // [rad²/s²] mean of squared speed
-  double lag_ = 0;            // [s]
+  Legs last_{};          // the last plan
+  double products_ = 0;  // [rad²/s] mean of error times speed
+  double squares_ = 0;   // [rad²/s²] mean of squared speed
+  double lag_ = 0;       // [s]
 };
 
 }  // namespace robot::nao::walk

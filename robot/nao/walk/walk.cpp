@@ -7,22 +7,22 @@
 namespace robot::nao::walk {
 namespace {
 
-constexpr double kLongestPhase = 1.4;     // [period] the feet move on until then
-constexpr double kLeastWeight = 1;        // [kg] both feet together, if the robot stands on the ground
-constexpr double kDown = 0.3;             // [0..1] share of a swing foot that has landed
-constexpr double kClosing = 0.05;         // [m/s], [rad/s] speed of the feet of a standing robot to their places
-constexpr double kFirstLift = 0.5;        // of the lift in the first step
-constexpr double kLastLift = 0.4;          // of the lift in steps on the spot before it stands: they rock less
-constexpr double kLiftPower = 1.3;        // of the sine: the foot leaves the ground softly
-constexpr int kWarmUp = 2;                // [steps] at the beginning teach nothing
-constexpr double kMeanErrorMost = 0.04;   // [m] a larger error does not count more in the mean
-constexpr double kShortestStep = 0.1;      // [s]
-constexpr double kOdometryShare = 0.2;     // of a step in the speed that the legs report
-constexpr double kStopSpeed = 0.03;       // [m/s] it may stop below
+constexpr double kLongestPhase = 1.4;    // [period] the feet move on until then
+constexpr double kLeastWeight = 1;       // [kg] both feet together, if the robot stands on the ground
+constexpr double kDown = 0.3;            // [0..1] share of a swing foot that has landed
+constexpr double kClosing = 0.05;        // [m/s], [rad/s] speed of the feet of a standing robot to their places
+constexpr double kFirstLift = 0.5;       // of the lift in the first step
+constexpr double kLastLift = 0.4;        // of the lift in steps on the spot before it stands: they rock less
+constexpr double kLiftPower = 1.3;       // of the sine: the foot leaves the ground softly
+constexpr int kWarmUp = 2;               // [steps] at the beginning teach nothing
+constexpr double kMeanErrorMost = 0.04;  // [m] a larger error does not count more in the mean
+constexpr double kShortestStep = 0.1;    // [s]
+constexpr double kOdometryShare = 0.2;   // of a step in the speed that the legs report
+constexpr double kStopSpeed = 0.03;      // [m/s] it may stop below
 constexpr double kStopForward = 0.045, kStopSide = 0.085;  // [m] errors that two feet on the ground hold
-constexpr double kTipsAside = 0.02;       // [m] error that selects the first foot
-constexpr double kSettling = 0.8;         // [s] after a stop, it rocks to rest
-constexpr double kSettlingMargin = 2.4;     // of the errors that start steps, meanwhile
+constexpr double kTipsAside = 0.02;                        // [m] error that selects the first foot
+constexpr double kSettling = 0.8;                          // [s] after a stop, it rocks to rest
+constexpr double kSettlingMargin = 2.4;                    // of the errors that start steps, meanwhile
 
 /// Moves `value` towards `goal` by at most `change`, and twice as fast towards zero.
 void approach(double goal, double change, double& value) {
@@ -133,8 +133,8 @@ void Walk::end_step(const Sensors& sensors, const Command& command) {
 bool Walk::may_stand(const Command& command) const {
   const Tipping& error = balance_.error();
   return command.stands() && count_ > kWarmUp + 1 && std::abs(speed_.forward) < kStopSpeed &&
-         std::abs(speed_.left) < kStopSpeed &&
-         std::abs(error.forward) < kStopForward && std::abs(error.left) < kStopSide;
+         std::abs(speed_.left) < kStopSpeed && std::abs(error.forward) < kStopForward &&
+         std::abs(error.left) < kStopSide;
 }
 
 /// Compares the step that ended with its plan: the legs report the stride, the balance its mean error.
@@ -217,10 +217,9 @@ double Walk::kick_swing() const {
 
 double Walk::lift() const {
   const Parameters& p = parameters_;
-  const double height = p.lift + p.lift_per_stride * std::abs(stride_) +
-                        p.lift_per_side * std::abs(speed_.left * p.period) +
-                        p.lift_per_turn * std::abs(speed_.turn * p.period) +
-                        p.lift_per_catch * std::abs(shift_.forward);
+  const double height =
+      p.lift + p.lift_per_stride * std::abs(stride_) + p.lift_per_side * std::abs(speed_.left * p.period) +
+      p.lift_per_turn * std::abs(speed_.turn * p.period) + p.lift_per_catch * std::abs(shift_.forward);
   return count_ == 0 ? kFirstLift * height : ends_ ? kLastLift * height : height;
 }
 
@@ -246,7 +245,8 @@ void Walk::move_feet() {
   free.yaw = between(start_[swing_].yaw, end_[swing_].yaw, arrives);
   if (kick_ != KickStep::none) {
     const double swing = kick_swing(), out = sign_of(swing_), most = std::max(swing, 0.0);
-    if (kick_ == KickStep::forward) free.x += swing < 0 ? swing * parameters_.kick_back : swing * parameters_.kick_ahead;
+    if (kick_ == KickStep::forward)
+      free.x += swing < 0 ? swing * parameters_.kick_back : swing * parameters_.kick_ahead;
     if (kick_ == KickStep::side) free.y += out * most * parameters_.kick_side;
     if (kick_ == KickStep::turn) free.yaw -= out * most * parameters_.kick_turn;
   }
@@ -276,7 +276,7 @@ void Walk::pose(const Sensors& sensors, double dt) {
   if (stepping_) servos_.see(sensors.joints, reached.legs, swing_, dt);
   targets_ = stepping_ ? servos_.led(reached.legs, dt) : servos_.unled(reached.legs);
   const bool left_swings = swing_ == left;
-  const std::array<double, 2> supports = !stepping_   ? std::array{0.5, 0.5}
+  const std::array<double, 2> supports = !stepping_    ? std::array{0.5, 0.5}
                                          : left_swings ? std::array{0.0, 1.0}
                                                        : std::array{1.0, 0.0};
   balance_.steady(supports, targets_);

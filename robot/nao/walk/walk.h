@@ -79,10 +79,10 @@ class Walk {
   bool stepping_ = false;
   Side swing_ = left;
   int count_ = 0;
-  double time_ = 0;              // [s] since its beginning
-  double duration_ = 0;          // [s] of the last one
-  Command speed_;                // planned
-  double stride_ = 0;            // [m] of the present step
+  double time_ = 0;      // [s] since its beginning
+  double duration_ = 0;  // [s] of the last one
+  Command speed_;        // planned
+  double stride_ = 0;    // [m] of the present step
   KickStep kick_ = KickStep::none;
   bool ends_ = false;            // steps on the spot until it may stand
   std::array<Foot, 2> feet_{};   // now
@@ -104,9 +104,9 @@ class Walk {
   double return_ = 0;         // [rad/s] turn that removes it
 
   // speed
-  Point support_start_;   // [m, torso] the support foot at the beginning of the step
-  Command real_speed_;    // as the legs report
-  Command correction_;    // added to the planned speed, so that the legs report the commanded one
+  Point support_start_;  // [m, torso] the support foot at the beginning of the step
+  Command real_speed_;   // as the legs report
+  Command correction_;   // added to the planned speed, so that the legs report the commanded one
   double hip_yaw_pitch_ = 0;
   Legs targets_{};
 };

@@ -300,7 +300,8 @@ TEST_F(NaoGuardian, ARobotWhoseLegsWereDrivenStandsFirst) {
   for (const bool dead : {false, true}) {
     play();
     // in the middle of a step
-    for (const auto& [joint, position] : {std::pair{l_hip_pitch, -0.7f}, {l_knee_pitch, 1.2f}, {l_ankle_pitch, -0.5f}}) {
+    for (const auto& [joint, position] :
+         {std::pair{l_hip_pitch, -0.7f}, {l_knee_pitch, 1.2f}, {l_ankle_pitch, -0.5f}}) {
       order.drives[joint] = 1;
       order.position[joint] = position;
     }

@@ -133,7 +133,7 @@ TEST_F(NaoMotion, AWalkingRobotStandsBeforeItSits) {
   EXPECT_EQ(next().posture, Order::Posture::soft);
 }
 
-constexpr Joint kLegs[] = {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch,  l_knee_pitch,  l_ankle_pitch, l_ankle_roll,
+constexpr Joint kLegs[] = {l_hip_yaw_pitch, l_hip_roll,  l_hip_pitch,  l_knee_pitch,  l_ankle_pitch, l_ankle_roll,
                            r_hip_roll,      r_hip_pitch, r_knee_pitch, r_ankle_pitch, r_ankle_roll};
 
 bool drives_legs(const Order& order) {

@@ -110,8 +110,8 @@ TEST(Legs, MirroredSolesGiveMirroredLegs) {
 TEST(Legs, APlaceOutOfReachGivesTheNearestLengthOfTheLeg) {
   const std::array<Sole, 2> far{{{{0, 0, -0.5}, 0}, {{0, 0, -0.01}, 0}}};
   const Legs legs = reach(far, 0, 0).legs;
-  EXPECT_NEAR(legs[left][knee_pitch], 0, 0.07);    // straight
-  EXPECT_GT(legs[right][knee_pitch], 2);           // bent
+  EXPECT_NEAR(legs[left][knee_pitch], 0, 0.07);  // straight
+  EXPECT_GT(legs[right][knee_pitch], 2);         // bent
   for (const Side side : {left, right})
     for (const double angle : legs[side]) EXPECT_TRUE(std::isfinite(angle));
 }

@@ -113,14 +113,16 @@ TEST(Walk, MovesTheSupportFootBackWithTheGround) {
     const Side support = other(walk.swing());
     const Legs last = targets;
     targets = walk.tick(robot.sense(targets), {.forward = 0.15}, kFrame);
-    if (time > 5 && other(walk.swing()) == support) way += sole_of(last[support], support).x - sole_of(targets[support], support).x;
+    if (time > 5 && other(walk.swing()) == support)
+      way += sole_of(last[support], support).x - sole_of(targets[support], support).x;
   }
   // the plan adds the share by which feet slip on real ground
   EXPECT_NEAR(way / 5, 0.15 * (1 + Parameters{}.slip), 0.03);
 }
 
 TEST(Walk, StandsWithinASecondAndAHalfAfterACommandOfZero) {
-  for (const Command& command : {Command{.forward = 0.2}, Command{.left = 0.1}, Command{.turn = 0.8}, Command{.forward = -0.1}}) {
+  for (const Command& command :
+       {Command{.forward = 0.2}, Command{.left = 0.1}, Command{.turn = 0.8}, Command{.forward = -0.1}}) {
     Walk walk;
     play(walk, command, 4);
     ASSERT_TRUE(walk.steps());
@@ -188,8 +190,12 @@ TEST(Walk, KicksWithTheNextStepOfThatFootAndOnlyOnceAStep) {
       }
       EXPECT_TRUE(kicked);
       EXPECT_EQ(walk.kick(), KickStep::none);
-      if (kick == KickStep::forward) { EXPECT_GT(ahead, before_ahead + 0.03); }
-      if (kick == KickStep::side) { EXPECT_GT(out, before_out + 0.03); }
+      if (kick == KickStep::forward) {
+        EXPECT_GT(ahead, before_ahead + 0.03);
+      }
+      if (kick == KickStep::side) {
+        EXPECT_GT(out, before_out + 0.03);
+      }
     }
 }
 
