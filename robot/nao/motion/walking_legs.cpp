@@ -32,7 +32,7 @@ walk::Sensors walking_sensors(const Report& report) {
   std::copy(from.gyroscope.begin(), from.gyroscope.end(), sensors.rate.begin());
   sensors.roll = from.angles[0], sensors.pitch = from.angles[1];
   for (const walk::Side side : {walk::left, walk::right})
-    std::copy_n(&from.fsr[static_cast<std::size_t>(4 * side)], 4, sensors.load[side].begin());
+    std::copy_n(&from.fsr[4 * static_cast<std::size_t>(side)], 4, sensors.load[side].begin());
   sensors.joints = legs_of(from.position);
   return sensors;
 }
