@@ -1,5 +1,6 @@
-// bench_walk CASE FIRST_SEED ROBOTS: lets drawn robots of both servo classes walk, be pushed or stop, and prints one line
-// of JSON. Falls are those of a robot nobody tuned on, if no one has used the seeds before.
+// bench_walk CASE FIRST_SEED ROBOTS [LIBRARY]: lets drawn robots of both servo classes walk, be pushed or stop, and prints
+// one line of JSON. LIBRARY has another walk (tests/walk/foresight_walk.h). Falls are those of robots nobody tuned on, if
+// no one has used the seeds before.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/walk/foreign_walk.h"
 #include "tests/walk/our_gait.h"
 
 namespace {
@@ -204,8 +206,22 @@ class Tally {
   std::vector<double> forward_, left_, turned_, last_step_, ball_speed_, until_fall_;
 };
 
-Json played(const Case& one, std::uint64_t first_seed, int robots) {
-  const Legs standing = stand(one.parameters);
+/// The walk under test.
+struct Tested {
+  Legs stand;
+  double hip_height;  // [m]
+  std::function<std::unique_ptr<Gait>()> begin;
+};
+
+Tested ours(const Parameters& parameters) {
+  return {stand(parameters), parameters.hip_height, [=] { return std::make_unique<OurGait>(parameters); }};
+}
+
+Tested theirs(const ForeignWalk& walk) {
+  return {walk.stand(), walk.hip_height(), [&walk] { return walk.begin(); }};
+}
+
+Json played(const Case& one, const Tested& tested, std::uint64_t first_seed, int robots) {
   std::array<std::unique_ptr<Physics>, 2> physics;  // by the reading of the inertias
   for (const bool about_origin : {false, true})
     physics[about_origin] =
@@ -218,9 +234,10 @@ Json played(const Case& one, std::uint64_t first_seed, int robots) {
       DrawnRobot robot = draw_robot(seed, servos, one.wider);
       robot.turf = one.turf, robot.delay += one.delay;
       for (int repetition = 0; repetition < one.repetitions; ++repetition) {
-        OurGait gait(one.parameters);
+        const std::unique_ptr<Gait> gait = tested.begin();
+        if (!gait) return nullptr;
         const Plan plan = one.plan(seed, repetition);
-        tally.add(run(*physics[robot.about_origin], gait, robot, seed, standing, one.parameters.hip_height, plan), plan,
+        tally.add(run(*physics[robot.about_origin], *gait, robot, seed, tested.stand, tested.hip_height, plan), plan,
                   repetition);
       }
     }
@@ -255,12 +272,15 @@ double microseconds_a_tick() {
   return 1e6 * seconds.count() / (kRounds * static_cast<double>(frames.size()));
 }
 
-int refuse(const std::string& got) {
+int refuse(const std::string& sentence) {
+  std::fprintf(stderr, "bench_walk: %s\n", sentence.c_str());
+  return 2;
+}
+
+std::string usage(const std::string& got) {
   std::string names;
   for (const auto& [name, one] : cases()) names.append(names.empty() ? "" : ", ").append(name);
-  std::fprintf(stderr, "bench_walk: expected CASE FIRST_SEED ROBOTS, or cost; cases are %s; got '%s'\n", names.c_str(),
-               got.c_str());
-  return 2;
+  return "expected CASE FIRST_SEED ROBOTS [LIBRARY], or cost; cases are " + names + "; got '" + got + "'";
 }
 
 }  // namespace
@@ -272,8 +292,17 @@ int main(int count, char** words) {
     return 0;
   }
   const auto found = cases().find(name);
-  const int robots = count == 4 ? std::atoi(words[3]) : 0;
-  if (found == cases().end() || robots < 1) return refuse(name);
-  std::printf("%s\n", played(found->second, std::strtoull(words[2], nullptr, 10), robots).dump().c_str());
+  const int robots = count == 4 || count == 5 ? std::atoi(words[3]) : 0;
+  if (found == cases().end() || robots < 1) return refuse(usage(name));
+  const std::uint64_t first_seed = std::strtoull(words[2], nullptr, 10);
+  if (count == 4) {
+    std::printf("%s\n", played(found->second, ours(found->second.parameters), first_seed, robots).dump().c_str());
+    return 0;
+  }
+  const auto library = ForeignWalk::load(words[4]);
+  if (!library) return refuse(library.error());
+  const Json all = played(found->second, theirs(*library), first_seed, robots);
+  if (all.is_null()) return refuse(std::string(words[4]) + ": expected a walk from foresight_walk_begin, got none");
+  std::printf("%s\n", all.dump().c_str());
   return 0;
 }
