@@ -7,13 +7,22 @@ export const kAtomInstructions = 1.6e9 * 0.7;
 
 let runs = 0;
 
-/** Starts a program under callgrind; `count()` returns its instructions after its end. */
-export function startCounted(name, args, preset) {
+/**
+ * Starts a program under callgrind; `count()` returns its instructions after its end. `within` limits them to the calls of
+ * functions with such a name.
+ */
+export function startCounted(name, args, preset, within) {
   const counts = join(scratch, `callgrind-${++runs}`);
   const program = start(
     name,
     args,
-    ["valgrind", "--quiet", "--tool=callgrind", `--callgrind-out-file=${counts}`],
+    [
+      "valgrind",
+      "--quiet",
+      "--tool=callgrind",
+      `--callgrind-out-file=${counts}`,
+      ...(within ? [`--toggle-collect=${within}`] : []),
+    ],
     preset,
   );
   const count = () =>

@@ -1,4 +1,5 @@
 // Does the walk keep simulated robots on their feet? MuJoCo robots that differ, of both servo classes.
+import { kAtomInstructions, startCounted } from "./atom.mjs";
 import { start } from "./programs.mjs";
 import { pretty, Report } from "./report.mjs";
 import { binomialInterval, poissonInterval } from "./statistics.mjs";
@@ -180,5 +181,12 @@ export async function walk({ choices: robots = kRobots }) {
   await kicks(report, robots);
   const cost = await start("bench_walk", ["cost"]).report;
   report.figure("cost of a tick on this machine", cost.microseconds_a_tick, "us");
+  const counted = startCounted("bench_walk", ["cost"], "release", "robot::nao::walk::Walk::tick*");
+  const { ticks } = await counted.report;
+  const instructions = counted.count() / ticks;
+  report.figure("cost of a tick", instructions, "instructions");
+  report.figure("cost of a tick on an Atom, by instructions", (1e6 * instructions) / kAtomInstructions, "us", {
+    atMost: 50,
+  });
   return report.finish();
 }

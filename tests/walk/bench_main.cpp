@@ -246,8 +246,8 @@ Json played(const Case& one, const Tested& tested, std::uint64_t first_seed, int
   return all;
 }
 
-/// Times the walk alone [us a tick], on frames of a recorded trial.
-double microseconds_a_tick() {
+/// Times the walk alone, on frames of a recorded trial.
+Json cost() {
   Physics physics({});
   OurGait gait;
   std::vector<Sensors> frames;
@@ -269,7 +269,8 @@ double microseconds_a_tick() {
   for (int round = 0; round < kRounds; ++round)
     for (const Sensors& frame : frames) walk.tick(frame, {.forward = 0.2}, 0.012);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  return 1e6 * seconds.count() / (kRounds * static_cast<double>(frames.size()));
+  const auto ticks = static_cast<double>(frames.size());
+  return {{"microseconds_a_tick", 1e6 * seconds.count() / (kRounds * ticks)}, {"ticks", (kRounds + 1) * ticks}};
 }
 
 int refuse(const std::string& sentence) {
@@ -288,7 +289,7 @@ std::string usage(const std::string& got) {
 int main(int count, char** words) {
   const std::string name = count > 1 ? words[1] : "";
   if (name == "cost" && count == 2) {
-    std::printf("%s\n", Json{{"microseconds_a_tick", microseconds_a_tick()}}.dump().c_str());
+    std::printf("%s\n", cost().dump().c_str());
     return 0;
   }
   const auto found = cases().find(name);
