@@ -172,7 +172,8 @@ class Tally {
     slow_ += !fell && outcome.failed();
     minutes_ += outcome.time / 60;
     metres_ += std::max(outcome.forward, 0.0);
-    if (repetition < kDirections) ++trials_of_[repetition], falls_of_[repetition] += fell;
+    const auto direction = static_cast<std::size_t>(repetition);
+    ++trials_of_[direction], falls_of_[direction] += fell;
     if (outcome.measured > 4) {
       forward_.push_back(outcome.forward / outcome.measured);
       left_.push_back(outcome.left / outcome.measured);

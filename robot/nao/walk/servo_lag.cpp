@@ -1,6 +1,7 @@
 #include "robot/nao/walk/servo_lag.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace robot::nao::walk {
 namespace {
@@ -29,7 +30,7 @@ void ServoLag::see(const Legs& measured, const Legs& plan, Side swing, double dt
 Legs ServoLag::led(const Legs& plan, double dt) {
   Legs targets = plan;
   for (const Side side : {left, right})
-    for (int joint = 0; joint < kLegJoints; ++joint) {
+    for (std::size_t joint = 0; joint < kLegJoints; ++joint) {
       const double lead = lag_ * (plan[side][joint] - last_[side][joint]) / dt;
       targets[side][joint] += std::clamp(lead, -parameters_.lead_most, parameters_.lead_most);
     }
