@@ -2,65 +2,40 @@
 // the servos, and the sensors back.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "robot/nao/guardian/guardian.h"
 #include "robot/nao/motion/motion.h"
-#include "tests/support/fake_body.h"
-#include "tests/walk/physics.h"
+#include "tests/walk/lola_body.h"
 
 namespace robot::nao {
 namespace {
 
 namespace pb = foresight;
 
-constexpr Joint kLegs[2][walk::kLegJoints] = {
-    {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll},
-    {l_hip_yaw_pitch, r_hip_roll, r_hip_pitch, r_knee_pitch, r_ankle_pitch, r_ankle_roll},
-};
+constexpr std::uint64_t kCycle_ns = 12'000'000;
 
-/// Copies the legs to or from positions in LoLA's order.
-template <class Legs, class Positions, class Copy>
-void for_each_leg_joint(Legs& legs, Positions& positions, Copy&& copy) {
-  for (const walk::Side side : {walk::left, walk::right})
-    for (std::size_t joint = 0; joint < walk::kLegJoints; ++joint)
-      copy(legs[side][joint], positions[kLegs[side][joint]]);
-}
-
-/// A robot that stands in the mode playing. The arms and the head follow at once; the legs are in the physics.
+/// A robot that stands in the mode playing.
 class BodyInPhysics : public ::testing::TestWithParam<walk::Servos> {
  protected:
-  BodyInPhysics() {
-    walk::Legs legs{};
-    PerJoint<float> stand = stand_pose().position;
-    for_each_leg_joint(legs, stand, [](double& leg, float position) { leg = position; });
-    physics_ = std::make_unique<walk::Physics>(walk::Scene{});
-    physics_->reset(walk::draw_robot(1, GetParam()), 1, legs, kStandingHip);
-    body_.sensors.position = stand;
-    body_.sensors.stiffness.fill(0.9f);
-    order_.posture = Order::Posture::stand;
-    // a stiff robot holds still until the chest button allows more
+  BodyInPhysics() : body_(walk::draw_robot(1, GetParam()), 1) {
     cycle();
-    click();
-    click();
-    for (int i = 0; i < 200 && guardian_.doing() != Doing::standing; ++i) cycle();
+    for (int clicks = 0; clicks < 3; ++clicks) click();
+    for (int i = 0; i < 500 && guardian_.doing() != Doing::standing; ++i) cycle();
   }
 
   void click() {
     for (const bool pressed : {true, false}) {
-      body_.press_chest(pressed);
+      body_.sensors.touch[0] = pressed ? 1 : 0;
       run(0.1);
     }
   }
 
   void cycle() {
-    sense();
-    now_ns_ += tests::kCycle_ns;
-    Cycle inputs{.now_ns = now_ns_, .sensors = &body_.sensors, .order = runtime_lives_ ? &order_ : nullptr};
-    const Actuators& answer = guardian_.step(inputs);
-    obey(answer);
+    now_ns_ += kCycle_ns;
+    const Actuators& answer =
+        guardian_.step({.now_ns = now_ns_, .sensors = &body_.sensors, .order = runtime_lives_ ? &order_ : nullptr});
+    body_.obey(answer);
     if (runtime_lives_) order_ = motion_.next(report(answer), &command_, 0, nullptr);
   }
 
@@ -86,58 +61,34 @@ class BodyInPhysics : public ::testing::TestWithParam<walk::Servos> {
     return status;
   }
 
-  bool upright() const { return physics_->truth().upright > 0.5 && physics_->truth().height > 0.2; }
+  bool upright() const { return body_.upright(); }
+  walk::Truth truth() const { return body_.truth(); }
 
-  static constexpr double kStandingHip = 0.2321;  // [m] of the guardian's stand, from its angles
-
-  std::unique_ptr<walk::Physics> physics_;
-  tests::FakeBody body_;
+  LolaBody body_;
   Guardian guardian_;
   Motion motion_;
   Order order_;
   pb::MotionCommand command_;
   bool runtime_lives_ = true;
   std::uint64_t now_ns_ = 1'000'000'000;
-
- private:
-  void sense() {
-    const walk::Sensors from = physics_->sense();
-    Sensors& to = body_.sensors;
-    std::copy(from.rate.begin(), from.rate.end(), to.gyroscope.begin());
-    to.angles = {static_cast<float>(from.roll), static_cast<float>(from.pitch)};
-    for (std::size_t i = 0; i < to.fsr.size(); ++i) to.fsr[i] = static_cast<float>(from.load[i / 4][i % 4]);
-    for_each_leg_joint(from.joints, to.position,
-                       [](double leg, float& position) { position = static_cast<float>(leg); });
-  }
-
-  void obey(const Actuators& answer) {
-    walk::Legs legs{};
-    for_each_leg_joint(legs, answer.position, [](double& leg, float position) { leg = position; });
-    const float stiffness = answer.stiffness[l_knee_pitch];
-    physics_->command(legs, stiffness);
-    for (int i = 0; i < 6; ++i) physics_->step(0, 0);
-    body_.sensors.stiffness = answer.stiffness;
-    for (std::size_t joint = 0; joint < kJoints; ++joint)
-      if (joint < l_hip_yaw_pitch || joint > r_ankle_roll) body_.sensors.position[joint] = answer.position[joint];
-  }
 };
 
 TEST_P(BodyInPhysics, WalksTurnsAndStands) {
   ASSERT_EQ(guardian_.mode(), Mode::playing);
   ASSERT_EQ(guardian_.doing(), Doing::standing);
-  const walk::Truth start = physics_->truth();
+  const walk::Truth start = truth();
   command_.mutable_walk_speed()->set_x(0.15f);
   run(8);
   ASSERT_TRUE(upright());
   EXPECT_TRUE(status().walking());
-  const walk::Truth there = physics_->truth();
+  const walk::Truth there = truth();
   EXPECT_GT(std::hypot(there.x - start.x, there.y - start.y), 0.6);
 
   command_.mutable_walk_speed()->set_x(0);
   command_.mutable_walk_speed()->set_turn_rate(0.5f);
   run(4);
   ASSERT_TRUE(upright());
-  EXPECT_GT(std::remainder(physics_->truth().heading - there.heading, 6.2831853), 1);
+  EXPECT_GT(std::remainder(truth().heading - there.heading, 6.2831853), 1);
 
   command_.set_posture(pb::MotionCommand::POSTURE_STAND);
   run(2);
@@ -163,17 +114,34 @@ TEST_P(BodyInPhysics, ThreeFingersOnTheHeadSoftenAWalkingRobotWithin100ms) {
   command_.mutable_walk_speed()->set_x(0.15f);
   run(5);
   ASSERT_TRUE(status().walking());
-  body_.hold_head(true);
+  for (const std::size_t head : {1, 2, 3}) body_.sensors.touch[head] = 1;
   run(0.1);
   EXPECT_EQ(body_.sensors.stiffness, PerJoint<float>{});
   EXPECT_FALSE(status().walking());
 }
 
+TEST_P(BodyInPhysics, AStandingRobotStepsAfterAPush) {
+  command_.mutable_walk_speed()->set_x(0.05f);
+  run(2);
+  command_.set_posture(pb::MotionCommand::POSTURE_STAND);
+  run(2);
+  ASSERT_TRUE(status().standing());
+  body_.push(1.8, 3.1416);
+  bool stepped = false;
+  for (int i = 0; i < 200; ++i) {
+    cycle();
+    stepped |= status().walking();
+  }
+  EXPECT_TRUE(stepped);
+  EXPECT_TRUE(upright());
+  EXPECT_TRUE(status().standing());
+}
+
 TEST_P(BodyInPhysics, WalksToAPlace) {
-  const walk::Truth start = physics_->truth();
+  const walk::Truth start = truth();
   const double x = start.x + 0.6 * std::cos(start.heading), y = start.y + 0.6 * std::sin(start.heading);
   for (int i = 0; i < 1200 && upright(); ++i) {
-    const walk::Truth now = physics_->truth();
+    const walk::Truth now = truth();
     const double ahead = (x - now.x) * std::cos(now.heading) + (y - now.y) * std::sin(now.heading);
     const double left = (y - now.y) * std::cos(now.heading) - (x - now.x) * std::sin(now.heading);
     pb::WalkTo& to = *command_.mutable_walk_to();
@@ -183,7 +151,7 @@ TEST_P(BodyInPhysics, WalksToAPlace) {
     cycle();
   }
   ASSERT_TRUE(upright());
-  EXPECT_LT(std::hypot(physics_->truth().x - x, physics_->truth().y - y), 0.06);
+  EXPECT_LT(std::hypot(truth().x - x, truth().y - y), 0.06);
   EXPECT_FALSE(status().walking());
 }
 

@@ -6,11 +6,11 @@
 namespace robot::nao::walk {
 namespace {
 
-constexpr double kNear = 0.35;                           // [m] nearer, it walks in any direction
-constexpr double kArrived = 0.035, kArrivedTurn = 0.15;  // [m], [rad]
-constexpr double kApproach = 1.2;                        // [1/s] speed per distance
-constexpr double kTurning = 1.5;                         // [1/s] turn rate per angle
-constexpr double kTurnCost = 0.5;                        // share of the speed that the fastest turn costs
+constexpr double kNear = 0.35;                         // [m] nearer, it walks in any direction
+constexpr double kArrived = 0.04, kArrivedTurn = 0.2;  // [m], [rad]
+constexpr double kApproach = 1.5;                      // [1/s] speed per distance
+constexpr double kTurning = 1.5;                       // [1/s] turn rate per angle
+constexpr double kTurnCost = 0.5;                      // share of the speed that the fastest turn costs
 
 }  // namespace
 

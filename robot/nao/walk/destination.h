@@ -22,7 +22,7 @@ struct Destination {
 Command within(const Limits& limits, const Command& command);
 
 /// Returns the command that leads to the destination with the share `gain` [0..1] of the greatest speed. A far one is
-/// walked to ahead, a near one in any direction. Returns zero on arrival: within 3.5 cm and 0.15 rad.
+/// walked to ahead, a near one in any direction. Returns zero on arrival: within 4 cm and 0.2 rad.
 Command towards(const Destination& destination, double gain, const Limits& limits);
 
 }  // namespace robot::nao::walk

@@ -27,8 +27,8 @@ TEST(Destination, IsReachedFromEverywhereAndWithEachHeading) {
   std::uniform_real_distribution<double> metres(-2, 2), radians(-3.1, 3.1);
   for (int i = 0; i < 500; ++i) {
     const Destination rest = walked({metres(random), metres(random), radians(random)}, 40);
-    EXPECT_LT(std::hypot(rest.x, rest.y), 0.036) << "case " << i;
-    EXPECT_LT(std::abs(rest.heading), 0.151) << "case " << i;
+    EXPECT_LT(std::hypot(rest.x, rest.y), 0.041) << "case " << i;
+    EXPECT_LT(std::abs(rest.heading), 0.201) << "case " << i;
     EXPECT_TRUE(towards(rest, 1, {}).stands());
   }
 }

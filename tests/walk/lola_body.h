@@ -1,0 +1,43 @@
+// A robot in the physics, as LoLA shows it to the guardian.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "robot/nao/lola/actuators.h"
+#include "robot/nao/lola/sensors.h"
+#include "tests/walk/physics.h"
+
+namespace robot::nao {
+
+/// The legs are in the physics. The arms and the head have no weight of their own: they follow at once.
+class LolaBody {
+ public:
+  /// Puts a robot on its feet, in the guardian's stand and without stiffness. It stays there until it has stiffness.
+  LolaBody(const walk::DrawnRobot& robot, std::uint64_t seed);
+
+  Sensors sensors;  // LoLA's next values; others may change those that the physics does not have: touch, temperature …
+
+  /// Moves the body on by one cycle of 12 ms and fills the sensors.
+  void obey(const Actuators& actuators);
+
+  /// Pushes the torso in the next 50 ms: an impulse [N s] towards `direction` [rad], 0 forward, > 0 to the left.
+  void push(double impulse, double direction);
+
+  walk::Truth truth() const { return physics_.truth(); }
+  /// Reports whether the robot has not fallen.
+  bool upright() const;
+
+ private:
+  void sense();
+
+  walk::Physics physics_;
+  walk::Legs stand_{};
+  bool held_ = true;  // by a person, until it has stiffness
+  walk::DrawnRobot robot_;
+  std::uint64_t seed_;
+  double impulse_ = 0, direction_ = 0;
+  int pushing_ = 0;  // steps of the physics left
+};
+
+}  // namespace robot::nao
