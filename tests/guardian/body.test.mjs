@@ -1,10 +1,10 @@
 // foresight-robot with the body nao: a stand-in for the robot, the real guardian and the real runtime.
 import assert from "node:assert/strict";
 import { createSocket } from "node:dgram";
-import { spawn } from "node:child_process";
 import { describe, test } from "node:test";
 import { Live } from "../e2e/live.mjs";
-import { atEnd, root, start, statusOf, temporaryFolder, until } from "../e2e/support.mjs";
+import { atEnd, start, statusOf, temporaryFolder, until } from "../e2e/support.mjs";
+import { commander, kHead, kKick, kSit, kStand, walkSpeed } from "./commander.mjs";
 import { World } from "./world.mjs";
 
 /** A robot, its guardian, and the runtime with a viewer that follows `objects`. */
@@ -41,37 +41,6 @@ async function join(t, world, objects, ...args) {
   };
   return { server, live, newest, door };
 }
-
-/** A team's process that writes the object motion_command, from hexadecimal lines: Python, by the door. */
-function commander(t, door) {
-  const program = `
-import sys, threading, time, foresight
-writer = foresight.Writer("motion_command", "foresight.MotionCommand")
-newest = b""
-def go():
-    while True:
-        writer.write(foresight.now_ns(), newest)
-        time.sleep(0.03)
-threading.Thread(target=go, daemon=True).start()
-for line in sys.stdin: newest = bytes.fromhex(line.strip())
-`;
-  const child = spawn("python3", ["-c", program], {
-    stdio: ["pipe", "inherit", "inherit"],
-    env: { ...process.env, FORESIGHT_DOOR: door, PYTHONPATH: `${root}/robot/client` },
-  });
-  atEnd(t, () => child.kill("SIGKILL"));
-  return (hex) => child.stdin.write(`${hex}\n`);
-}
-const float = (value) => {
-  const bytes = Buffer.alloc(4);
-  bytes.writeFloatLE(value);
-  return bytes.toString("hex");
-};
-const kWalk = `0a05` + `0d${float(0.2)}`; // walk_speed {x: 0.2}
-const kKick = "1a00"; // kick
-const kSit = "2002"; // posture: SIT
-const kStand = "2001";
-const kHead = (yaw, pitch) => `320a0d${float(yaw)}15${float(pitch)}`; // head_angles
 
 /** Returns a free UDP port. */
 const freePort = async () => {
@@ -125,7 +94,7 @@ describe("body nao", { concurrency: 4 }, () => {
     const refusal = "body nao kicks only with a step of the walk (in_walk): it stands";
     await live.until(() => newest("body").refused === refusal, "the refusal");
     const walks = () => newest("motion_status").walking && newest("motion_status").velocity_x > 0.15;
-    command(kWalk);
+    command(walkSpeed(0.2));
     const knees = [];
     await live.until(() => (knees.push(newest("joints").position[10]), walks()), "it walks");
     assert.ok(Math.max(...knees) - Math.min(...knees) > 0.1, "the knee bends and stretches");
@@ -144,7 +113,7 @@ describe("body nao", { concurrency: 4 }, () => {
     await live.until(() => newest("body"), "the body");
     await world.play();
     const command = commander(t, door);
-    command(kWalk);
+    command(walkSpeed(0.2));
     await live.until(() => newest("motion_status").walking, "it walks");
     live.socket.terminate();
     server.kill("SIGKILL");

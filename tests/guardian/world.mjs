@@ -27,8 +27,9 @@ export class World {
     this.link = join(this.folder, "guardian");
   }
 
-  async startRobot() {
-    this.robot = launch(this.t, "fake_robot", this.lola);
+  /** `program` is fake_robot, or lab_robot, which has physics. */
+  async startRobot(program = "fake_robot", ...args) {
+    this.robot = launch(this.t, program, this.lola, ...args);
     await until(() => this.robot.lines.length > 0, "LoLA listens");
     return this.robot;
   }

@@ -1,0 +1,214 @@
+// lab_robot SOCKET [SERVOS [SEED]]: a robot in the physics that speaks LoLA, in real time, for one guardian at a time.
+//
+// Each line on its standard input acts on it, and each line on its standard output is JSON:
+//
+//   push IMPULSE DEGREES   a blow to the torso [N s], 0 from behind, 90 from the right
+//   again [SERVOS [SEED]]  puts another robot on its feet: stiff or soft
+//   friction X             of soles and ground; turf MM: bumps; both with the robot put up again
+//   chest, head, release   presses the chest button or the head, or lets go
+//   state                  prints {"upright", "x", "y", "heading", "stiffness", "knee", "chest", "frames"}
+//   end
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/timerfd.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "robot/core/files.h"
+#include "robot/core/local_listener.h"
+#include "tests/support/lola_frame.h"
+#include "tests/walk/lola_body.h"
+
+namespace {
+
+using namespace robot;
+using namespace robot::nao;
+using nlohmann::json;
+
+constexpr long kCycle_ns = 12'000'000;
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// Returns the joints of an answer, or nothing if it is no answer.
+std::optional<Actuators> read_answer(const std::string& bytes) {
+  const json answer = json::from_msgpack(bytes, true, false);
+  if (!answer.is_object() || !answer.contains("Position") || !answer.contains("Stiffness")) return std::nullopt;
+  Actuators actuators;
+  try {
+    actuators.position = answer["Position"].get<PerJoint<float>>();
+    actuators.stiffness = answer["Stiffness"].get<PerJoint<float>>();
+    actuators.lights.chest = answer.at("Chest").get<Colour>();
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+  return actuators;
+}
+
+/// The robot that people choose.
+struct Choice {
+  walk::Servos servos = walk::Servos::stiff;
+  std::uint64_t seed = 1;
+  std::optional<double> friction;
+  double turf = 0;  // [m]
+
+  std::unique_ptr<LolaBody> body() const {
+    walk::DrawnRobot robot = walk::draw_robot(seed, servos);
+    robot.friction = friction.value_or(robot.friction);
+    robot.turf = turf;
+    return std::make_unique<LolaBody>(robot, seed);
+  }
+};
+
+class LabRobot {
+ public:
+  LabRobot(FileDescriptor listening, const Choice& choice)
+      : listening_(std::move(listening)),
+        timer_(timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)),
+        choice_(choice),
+        body_(choice.body()) {
+    const itimerspec cycle{.it_interval = {0, kCycle_ns}, .it_value = {0, kCycle_ns}};
+    timerfd_settime(timer_.get(), 0, &cycle, nullptr);
+  }
+
+  void run() {
+    while (!ended_) {
+      std::array<pollfd, 4> files{{{connection_ ? -1 : listening_.get(), POLLIN, 0},
+                                   {timer_.get(), POLLIN, 0},
+                                   {connection_.get(), POLLIN, 0},
+                                   {STDIN_FILENO, POLLIN, 0}}};
+      ::poll(files.data(), files.size(), 100);
+      if (files[0].revents) connection_ = FileDescriptor(::accept4(listening_.get(), nullptr, nullptr, SOCK_CLOEXEC));
+      if (files[2].revents) hear();
+      if (files[1].revents) cycle();
+      if (files[3].revents) read_input();
+    }
+  }
+
+ private:
+  void cycle() {
+    std::uint64_t expirations = 0;
+    if (::read(timer_.get(), &expirations, sizeof expirations) < 0) return;
+    // the last answer counts, as on a robot
+    body_->obey(answer_);
+    ++frames_;
+    if (!connection_) return;
+    const std::string frame = tests::lola_frame(body_->sensors);
+    if (::send(connection_.get(), frame.data(), frame.size(), MSG_NOSIGNAL | MSG_DONTWAIT) < 0) lose();
+  }
+
+  void hear() {
+    std::array<char, 4096> block;
+    const ssize_t n = ::recv(connection_.get(), block.data(), block.size(), MSG_DONTWAIT);
+    if (n == 0 || (n < 0 && errno != EAGAIN)) return lose();
+    if (n > 0) received_.append(block.data(), static_cast<std::size_t>(n));
+    while (received_.size() >= ActuatorFrame::kBytes) {
+      if (const auto answer = read_answer(received_.substr(0, ActuatorFrame::kBytes))) answer_ = *answer;
+      received_.erase(0, ActuatorFrame::kBytes);
+    }
+  }
+
+  /// Forgets the guardian: a robot without one has no stiffness.
+  void lose() {
+    connection_.reset();
+    received_.clear();
+    answer_ = {};
+  }
+
+  void read_input() {
+    std::array<char, 4096> block;
+    const ssize_t n = ::read(STDIN_FILENO, block.data(), block.size());
+    if (n <= 0) ended_ = true;
+    if (n > 0) input_.append(block.data(), static_cast<std::size_t>(n));
+    for (std::size_t end = input_.find('\n'); end != std::string::npos; end = input_.find('\n')) {
+      if (!obey(input_.substr(0, end)))
+        std::fprintf(stderr, "lab_robot: cannot obey '%s'\n", input_.substr(0, end).c_str());
+      input_.erase(0, end + 1);
+    }
+  }
+
+  bool obey(const std::string& line) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    double first = 0, second = 0;
+    if (word == "push" && words >> first >> second) {
+      body_->push(first, second / kDegrees);
+    } else if (word == "again") {
+      if (std::string servos; words >> servos)
+        choice_.servos = servos == "soft" ? walk::Servos::soft : walk::Servos::stiff;
+      words >> choice_.seed;
+      put_up();
+    } else if (word == "friction" && words >> first) {
+      choice_.friction = first;
+      put_up();
+    } else if (word == "turf" && words >> first) {
+      choice_.turf = first / 1000;
+      put_up();
+    } else if (word == "chest" || word == "head" || word == "release") {
+      body_->sensors.touch[0] = word == "chest" ? 1 : 0;
+      for (const std::size_t head : {1, 2, 3}) body_->sensors.touch[head] = word == "head" ? 1 : 0;
+    } else if (word == "state") {
+      const walk::Truth truth = body_->truth();
+      const json state = {{"upright", body_->upright()},
+                          {"x", truth.x},
+                          {"y", truth.y},
+                          {"heading", truth.heading},
+                          {"stiffness", body_->sensors.stiffness[l_knee_pitch]},
+                          {"knee", body_->sensors.position[l_knee_pitch]},
+                          {"chest", answer_.lights.chest},
+                          {"frames", frames_}};
+      std::printf("%s\n", state.dump().c_str());
+      std::fflush(stdout);
+    } else if (word == "end") {
+      ended_ = true;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  void put_up() {
+    body_ = choice_.body();
+    answer_ = {};
+  }
+
+  FileDescriptor listening_, timer_, connection_;
+  Choice choice_;
+  std::unique_ptr<LolaBody> body_;
+  Actuators answer_;
+  std::string received_, input_;
+  bool ended_ = false;
+  std::uint64_t frames_ = 0;
+};
+
+}  // namespace
+
+int main(int count, char** words) {
+  const std::string servos = count > 2 ? words[2] : "stiff";
+  if (count < 2 || count > 4 || (servos != "stiff" && servos != "soft")) {
+    std::fprintf(stderr, "lab_robot: expected SOCKET [stiff|soft [SEED]], got '%s'\n", servos.c_str());
+    return 2;
+  }
+  Choice choice{.servos = servos == "soft" ? walk::Servos::soft : walk::Servos::stiff};
+  if (count == 4) choice.seed = std::strtoull(words[3], nullptr, 10);
+  auto listening =
+      listen_locally(words[1], {.who = "lab_robot", .another = "another one does", .type = SOCK_STREAM, .backlog = 1});
+  if (!listening) {
+    std::fprintf(stderr, "%s\n", listening.error().c_str());
+    return 2;
+  }
+  std::printf("{\"ready\": true}\n");
+  std::fflush(stdout);
+  LabRobot(std::move(*listening), choice).run();
+  ::unlink(words[1]);
+  return 0;
+}
