@@ -5,8 +5,8 @@ import { join } from "node:path";
 import { describe, test } from "node:test";
 import { open, shoot } from "../e2e/browser.mjs";
 import { Live } from "../e2e/live.mjs";
-import { bin, start, temporaryFolder } from "../e2e/support.mjs";
-import { commander, kSit, kStand, walkSpeed } from "./commander.mjs";
+import { bin, start, temporaryFolder, until } from "../e2e/support.mjs";
+import { commander, kStand, walkSpeed } from "./commander.mjs";
 import { World } from "./world.mjs";
 
 const skip = existsSync(join(bin, "lab_robot")) ? false : "MuJoCo is missing: install libmujoco-dev";
@@ -31,36 +31,26 @@ async function standing(t, servos) {
   return { world, server, live, status, command: commander(t, door) };
 }
 
-describe("a walking robot", { skip, concurrency: 2 }, () => {
-  for (const servos of ["stiff", "soft"])
-    test(`with ${servos} servos walks, turns, withstands pushes and stands`, async (t) => {
-      const { world, server, live, status, command } = await standing(t, servos);
-      const began = await world.state();
-      command(walkSpeed(0.15));
-      const way = (state) => Math.hypot(state.x - began.x, state.y - began.y);
-      await world.until((state) => !state.upright || way(state) > 0.4, "it has walked 40 cm");
-      for (const degrees of [0, 90, 180, 270]) {
-        world.happen(`push 0.6 ${degrees}`);
-        await world.cycles(170);
-      }
-      assert.ok((await world.state()).upright, "it is on its feet");
-      assert.ok(status().walking);
-      assert.ok(Math.abs(status().velocity_x) > 0);
+// How well it walks is the matter of tests/walk, whose time does not depend on the machine. Here a busy machine may make it
+// fall, because the physics goes on at the pace of the clock.
+describe("a robot in the physics", { skip }, () => {
+  test("stands up by its chest button, obeys commands to walk and is put up again with other servos", async (t) => {
+    const { world, server, live, status, command } = await standing(t, "stiff");
+    assert.ok((await world.state()).upright);
+    command(walkSpeed(0.1));
+    await live.until(() => status().walking && status().velocity_x > 0.05, "it walks");
+    world.happen("push 0.3 90");
 
-      const { page, problems } = await open(t, `${server.http}/#/14/2/objects`);
-      await page.getByText("motion_status").first().click();
-      await page.getByText("velocity_x").first().waitFor();
-      await shoot(page, `walk-${servos}`);
-      assert.deepEqual(problems, []);
+    const { page, problems } = await open(t, `${server.http}/#/14/2/objects`);
+    await page.getByRole("searchbox").fill("motion_status velocity");
+    await page.getByText("velocity_x").first().waitFor();
+    await shoot(page, "walking-robot");
+    assert.deepEqual(problems, []);
 
-      const { heading } = await world.state();
-      command(walkSpeed(0, 0.5));
-      const turned = (state) => Math.cos(state.heading - heading) < 0.5;
-      assert.ok((await world.until((state) => !state.upright || turned(state), "it has turned")).upright);
-      command(kStand);
-      await live.until(() => status().standing && !status().walking, "it stands");
-      assert.ok((await world.state()).upright);
-      command(kSit);
-      await live.until(() => status().running === "sit", "it sits down");
-    });
+    world.happen("nonsense");
+    await until(() => world.robot.errors.includes("lab_robot: cannot obey 'nonsense'"), "the refusal");
+    command(kStand);
+    world.happen("again soft 3");
+    await world.until((state) => state.upright && state.frames > 0, "it is on its feet again");
+  });
 });
