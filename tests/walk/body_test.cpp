@@ -82,6 +82,11 @@ TEST_P(BodyInPhysics, WalksTurnsAndStands) {
   ASSERT_TRUE(upright());
   EXPECT_TRUE(status().walking());
   const walk::Truth there = truth();
+  pb::Odometry odometry;
+  EXPECT_TRUE(motion_.fill_odometry(odometry));
+  const double ahead = (there.x - start.x) * std::cos(start.heading) + (there.y - start.y) * std::sin(start.heading);
+  EXPECT_NEAR(odometry.x(), ahead, 0.15 * ahead);
+  EXPECT_NEAR(odometry.heading(), std::remainder(there.heading - start.heading, 6.2831853), 0.2);
   EXPECT_GT(std::hypot(there.x - start.x, there.y - start.y), 0.6);
 
   command_.mutable_walk_speed()->set_x(0);

@@ -50,6 +50,7 @@ void WalkingLegs::drive(const Report& report, const walk::Command& command, floa
     slower.forward *= share, slower.left *= share, slower.turn *= share;
     targets_ = walk_->tick(sensors, slower, dt);
     stops_ = command.stands();
+    odometry_.see(sensors, steps() ? std::optional(other(walk_->swing())) : std::nullopt, dt);
   }
   for_each_joint([&](walk::Side side, std::size_t joint, Joint name) {
     order.drives[name] = 1;

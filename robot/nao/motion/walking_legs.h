@@ -6,6 +6,7 @@
 #include "proto/foresight/motion.pb.h"
 #include "robot/nao/guardian/link.h"
 #include "robot/nao/walk/destination.h"
+#include "robot/nao/walk/odometry.h"
 #include "robot/nao/walk/walk.h"
 
 namespace robot::nao {
@@ -27,6 +28,9 @@ class WalkingLegs {
   /// Reports whether the present step kicks.
   bool kicks() const { return walk_ && walk_->kick() != walk::KickStep::none; }
 
+  /// Returns the way since the robot first walked. It is never reset.
+  const walk::Way& way() const { return odometry_.way(); }
+
   /// Fills the fields about walking. The others keep their values.
   void fill_status(foresight::MotionStatus& status) const;
 
@@ -34,6 +38,7 @@ class WalkingLegs {
   bool take_over(const Report& report, float dt);
 
   std::optional<walk::Walk> walk_;  // nothing: the legs belong to the guardian
+  walk::Odometry odometry_{{}};
   walk::Legs from_{}, targets_{};
   float taken_ = 0;  // [s] since the beginning of the take-over
   bool stops_ = false;

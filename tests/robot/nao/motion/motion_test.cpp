@@ -168,6 +168,15 @@ TEST_F(NaoMotion, WalksWithinTheRangesOfTheJointsAndSaysSo) {
   EXPECT_TRUE(status().standing());
 }
 
+TEST_F(NaoMotion, HasNoOdometryUntilTheFirstWalk) {
+  pb::Odometry odometry;
+  EXPECT_FALSE(motion.fill_odometry(odometry));
+  command.mutable_walk_speed()->set_x(0.1f);
+  for (int i = 0; i < 400; ++i) next();
+  EXPECT_TRUE(motion.fill_odometry(odometry));
+  EXPECT_GT(odometry.x(), 0.1);
+}
+
 TEST_F(NaoMotion, LeavesTheLegsToTheGuardianUntilACommandToWalk) {
   command.set_posture(pb::MotionCommand::POSTURE_STAND);
   EXPECT_FALSE(drives_a_leg(next()));

@@ -1,0 +1,38 @@
+#include "robot/nao/walk/odometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace robot::nao::walk {
+namespace {
+
+constexpr double kHipHalfWidth = 0.05;  // [m]
+constexpr double kBiasShare = 0.01;     // of a frame in the bias
+constexpr double kBiasMost = 0.05;      // [rad/s] a standing robot that turns faster is turned by somebody
+
+}  // namespace
+
+void Odometry::see(const Sensors& sensors, std::optional<Side> support, double dt) {
+  if (!support) {
+    bias_ += kBiasShare * (std::clamp(sensors.rate[2], -kBiasMost, kBiasMost) - bias_);
+    support_.reset();
+    return;
+  }
+  const double turn = (sensors.rate[2] - bias_) * dt;
+  Point foot = sole_of(sensors.joints[*support], *support);
+  foot.y += sign_of(*support) * kHipHalfWidth;
+  if (support_ == support) {
+    // the foot is at the same place as before, seen from a torso that has turned
+    const double ahead = foot_.x - (std::cos(turn) * foot.x - std::sin(turn) * foot.y);
+    const double left_of = foot_.y - (std::sin(turn) * foot.x + std::cos(turn) * foot.y);
+    const double real = ahead / (1 + parameters_.slip);
+    way_.x += std::cos(way_.heading) * real - std::sin(way_.heading) * left_of;
+    way_.y += std::sin(way_.heading) * real + std::cos(way_.heading) * left_of;
+  }
+  way_.heading = std::remainder(way_.heading + turn, 2 * std::numbers::pi);
+  support_ = support;
+  foot_ = foot;
+}
+
+}  // namespace robot::nao::walk

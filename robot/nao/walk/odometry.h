@@ -1,0 +1,37 @@
+// The way that a walking robot believes it has gone.
+#pragma once
+
+#include <optional>
+
+#include "robot/nao/walk/parameters.h"
+#include "robot/nao/walk/sensors.h"
+
+namespace robot::nao::walk {
+
+/// A pose since the beginning. Frame: that of the robot at the beginning.
+struct Way {
+  double x = 0, y = 0;  // [m]
+  double heading = 0;   // [rad] (-π, π]
+};
+
+/// The odometry of one robot. The support foot stays where it is, so the torso moves against it. The gyroscope gives the
+/// heading; its bias is learned while the robot stands.
+class Odometry {
+ public:
+  explicit Odometry(const Parameters& parameters) : parameters_(parameters) {}
+
+  /// Takes a frame of sensors, `dt` [s] after the last one. `support` is the foot that carries the robot, or nothing while
+  /// it stands on both feet.
+  void see(const Sensors& sensors, std::optional<Side> support, double dt);
+
+  const Way& way() const { return way_; }
+
+ private:
+  const Parameters parameters_;
+  Way way_;
+  std::optional<Side> support_;
+  Point foot_;       // [m, torso] of the support foot in the last frame
+  double bias_ = 0;  // [rad/s] of the gyroscope about z
+};
+
+}  // namespace robot::nao::walk
