@@ -61,7 +61,7 @@ TEST(Legs, EachFootGetsHalfOfTheDifferenceOfBothYaws) {
     // the guess is that of the last tick, so it is good
     const PerJoint<float> joints = joints_of(reach(soles, 0, reach(soles, 0, 0).hip_yaw_pitch).legs);
     const auto yaw = [&](nao::Side side) {
-      const auto rotation = Kinematics().hip_from_sole(joints, side).linear();
+      const Eigen::Matrix3d rotation = Kinematics().hip_from_sole(joints, side).linear();
       return std::atan2(rotation(1, 0), rotation(0, 0));
     };
     EXPECT_NEAR(yaw(nao::Side::left) - yaw(nao::Side::right), soles[left].yaw - soles[right].yaw, 1e-4) << "case " << i;
