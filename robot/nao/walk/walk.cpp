@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLongestPhase = 1.4;    // [period] the feet move on until then
 constexpr double kLeastWeight = 1;       // [kg] both feet together, if the robot stands on the ground
+constexpr double kLifted = 0.3;          // [s] without weight: somebody has lifted it
 constexpr double kDown = 0.3;            // [0..1] share of a swing foot that has landed
 constexpr double kClosing = 0.05;        // [m/s], [rad/s] speed of the feet of a standing robot to their places
 constexpr double kFirstLift = 0.5;       // of the lift in the first step
@@ -49,10 +50,11 @@ Legs stand(const Parameters& parameters) {
 Walk::Walk(const Parameters& parameters) : parameters_(parameters), balance_(parameters_), servos_(parameters_) {}
 
 const Legs& Walk::tick(const Sensors& sensors, const Command& command, double dt) {
-  feel(sensors);
+  feel(sensors, dt);
   return_ = heading_turn(command, sensors, dt);
-  const bool stood = !stepping_;
-  if (stood) start_if_needed(sensors, command);
+  const bool stood = !stepping_, lifted = lifted_ > kLifted;
+  if (lifted) stepping_ = false;
+  if (stood && !lifted) start_if_needed(sensors, command);
   if (stepping_) {
     if (!stood) time_ += dt;
     end_step(sensors, command);
@@ -69,10 +71,11 @@ const Legs& Walk::tick(const Sensors& sensors, const Command& command, double dt
   return targets_;
 }
 
-void Walk::feel(const Sensors& sensors) {
+void Walk::feel(const Sensors& sensors, double dt) {
   balance_.see(sensors);
   const double sum = sensors.load_of(left) + sensors.load_of(right);
   on_ground_ = sum > kLeastWeight;
+  lifted_ = on_ground_ ? 0 : lifted_ + dt;
   last_share_ = share_;
   share_ = on_ground_ ? sensors.load_of(swing_) / sum : 0;
   error_sum_ += std::clamp(balance_.error().forward, -kMeanErrorMost, kMeanErrorMost);

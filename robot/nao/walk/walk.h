@@ -29,7 +29,7 @@ class Walk {
   Walk& operator=(const Walk&) = delete;
 
   /// Returns the targets of the legs for the next `dt` [s]. A command of zero ends the walk within a few steps. A
-  /// standing robot that is pushed steps until it is steady again.
+  /// standing robot that is pushed steps until it is steady again. A robot that is lifted stands still.
   const Legs& tick(const Sensors& sensors, const Command& command, double dt);
 
   /// Reports whether it makes steps.
@@ -54,7 +54,7 @@ class Walk {
     double yaw = 0;  // [rad]
   };
 
-  void feel(const Sensors& sensors);
+  void feel(const Sensors& sensors, double dt);
   void start_if_needed(const Sensors& sensors, const Command& command);
   void end_step(const Sensors& sensors, const Command& command);
   bool may_stand(const Command& command) const;
@@ -92,6 +92,7 @@ class Walk {
 
   // the support
   bool on_ground_ = false;
+  double lifted_ = 0;                      // [s] without weight
   double share_ = 0.5, last_share_ = 0.5;  // [0..1] of the weight on the swing foot
 
   // balance

@@ -131,6 +131,21 @@ TEST(Walk, StandsWithinASecondAndAHalfAfterACommandOfZero) {
   }
 }
 
+TEST(Walk, ALiftedRobotStandsStillUntilItIsPutDown) {
+  Walk walk;
+  play(walk, {.forward = 0.2}, 3);
+  ASSERT_TRUE(walk.steps());
+  Sensors lifted;
+  for (int i = 0; i < 100; ++i) {
+    lifted.pitch = 0.2, lifted.joints = walk.tick(lifted, {.forward = 0.2}, kFrame);
+    if (i > 30) {
+      ASSERT_FALSE(walk.steps()) << "tick " << i;
+    }
+  }
+  play(walk, {.forward = 0.2}, 1);
+  EXPECT_TRUE(walk.steps());
+}
+
 TEST(Walk, AStandingRobotThatTipsSteps) {
   for (const double pitch : {0.2, -0.25}) {
     Walk walk;
