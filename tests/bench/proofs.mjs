@@ -423,4 +423,31 @@ export const proofs = [
     seen: "10.9 and 11.6 cm, 4.2 and 14.3 cm, 46 and 47 cm; 0.24 s. At 3 to 4.5 m both err by balls that are half hidden",
     by: "fit",
   },
+  {
+    question:
+      "The walk on 150 simulated robots that differ, 1.07 km at a command of 0.20 m/s: falls in 1 km; achieved speed of stiff and of soft servos, median and 10th percentile. Turf of 8 mm and a delay of 40 ms: falls in 1 km",
+    bar: "<= 3; >= 85 and 70 %; twice the base",
+    seen: "1.9 (95 %: 0.2 to 6.8); 102 and 92 %, **84.9** and 75 %; **30** in 132 m and **25** in 283 m",
+    by: "walk",
+  },
+  {
+    question:
+      "The same: game-like commands for an hour, falls a minute; robots still 1.5 s after a stop; sideways and turning, share of the command, stiff and soft; open loop, falls a minute relative to the walk's; cost of a tick on an Atom, by instructions",
+    bar: "<= 0.15; >= 95 %; 75 to 125 %; >= 10x; <= 50 us",
+    seen: "0.017 (95 %: 0.0004 to 0.094); 100 %; 105 and **53 %**, 98 and 100 %; 450x; 8.8 us",
+    by: "walk",
+  },
+  {
+    question:
+      "One push of 1.2 and of 1.8 N s at a random phase of a step, 82 in each of eight directions: upright, walking, all directions and the worst one; standing, the same",
+    bar: ">= 95 % and >= 85 % in each direction",
+    seen: "97.9 and 95.1 %, 85.8 and **69.5 %** (to the left); 100 and 100 %, 99.4 and 95.1 %",
+    by: "walk",
+  },
+  {
+    question: "A kick with a step of the walk, 106 kicks: ball hit; its speed, mean; falls",
+    bar: ">= 95 %; >= 1.0 m/s; <= 1 %",
+    seen: "**92.5 %**; **0.51 m/s**: the legs of the simulated robots swing no faster; 0",
+    by: "walk",
+  },
 ];
