@@ -68,8 +68,8 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
     take_walk(*command);
     aim(report, *command);
   }
-  // a walking robot stands before it sits
-  const bool stops = posture_ == Order::Posture::sit && legs_.steps();
+  // a walking robot stands before it sits or holds still: a foot may be in the air
+  const bool stops = posture_ != Order::Posture::soft && legs_.steps();
   order.posture = stops ? Order::Posture::stand : posture_;
   if (may_walk_) legs_.drive(report, walk_, dt, order);
   if (legs_.kicks()) {

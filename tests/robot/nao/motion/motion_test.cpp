@@ -121,14 +121,19 @@ TEST_F(NaoMotion, TakesPosturesAndKeepsThem) {
   EXPECT_EQ(next(2 * Motion::kCommandLasts_ns).posture, Order::Posture::stand) << "the last command is too old";
 }
 
-TEST_F(NaoMotion, AWalkingRobotStandsBeforeItSits) {
+TEST_F(NaoMotion, AWalkingRobotStandsBeforeItSitsOrFreezes) {
+  for (const auto& [said, wanted] : {std::pair{pb::MotionCommand::POSTURE_SIT, Order::Posture::sit},
+                                     {pb::MotionCommand::POSTURE_FREEZE, Order::Posture::freeze}}) {
+    command.mutable_walk_speed()->set_x(0.1f);
+    for (int i = 0; i < 150; ++i) next();
+    command.set_posture(said);
+    EXPECT_EQ(next().posture, Order::Posture::stand);
+    EXPECT_TRUE(status().stopping());
+    for (int i = 0; i < 125; ++i) next();
+    EXPECT_EQ(next().posture, wanted);
+  }
   command.mutable_walk_speed()->set_x(0.1f);
-  for (int i = 0; i < 100; ++i) next();
-  command.set_posture(pb::MotionCommand::POSTURE_SIT);
-  EXPECT_EQ(next().posture, Order::Posture::stand);
-  EXPECT_TRUE(status().stopping());
-  for (int i = 0; i < 125; ++i) next();
-  EXPECT_EQ(next().posture, Order::Posture::sit);
+  for (int i = 0; i < 150; ++i) next();
   command.set_posture(pb::MotionCommand::POSTURE_RELAX);
   EXPECT_EQ(next().posture, Order::Posture::soft);
 }
