@@ -42,6 +42,17 @@ die() {
   exit 2
 }
 
+# check_port PORT: ends with a sentence unless it is the number of a port.
+check_port() {
+  if [[ ! $1 =~ ^[1-9][0-9]{0,4}$ ]] || (($1 > 65535)); then die "--port must be 1 .. 65535, got '$1'"; fi
+}
+
+# needs COMMAND PURPOSE: ends with a sentence if the command is missing.
+needs() { command -v "$1" >/dev/null || die "$1 is missing, $2: install it"; }
+
+# Ends with a sentence if MuJoCo is missing.
+needs_mujoco() { [[ -e /usr/include/mujoco/mujoco.h ]] || die "MuJoCo is missing, the physics for the walk: install libmujoco-dev"; }
+
 # Prints the comment at the head of the script, which is its help.
 show_help() { sed -n '2,/^[^#]/{/^#/s/^#[ ]\{0,1\}//p}' "$0"; }
 
