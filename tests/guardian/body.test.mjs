@@ -2,45 +2,10 @@
 import assert from "node:assert/strict";
 import { createSocket } from "node:dgram";
 import { describe, test } from "node:test";
-import { Live } from "../e2e/live.mjs";
 import { atEnd, start, statusOf, temporaryFolder, until } from "../e2e/support.mjs";
 import { commander, kHead, kKick, kSit, kStand, walkSpeed } from "./commander.mjs";
+import { join, open } from "./runtime.mjs";
 import { World } from "./world.mjs";
-
-/** A robot, its guardian, and the runtime with a viewer that follows `objects`. */
-async function open(t, objects, ...args) {
-  const world = new World(t);
-  await world.startRobot();
-  await world.startGuardian();
-  const live = await join(t, world, objects, ...args);
-  return { world, ...live };
-}
-
-async function join(t, world, objects, ...args) {
-  const folder = temporaryFolder(t);
-  const door = `${folder}/door`;
-  const server = await start(
-    t,
-    folder,
-    "foresight-robot",
-    "--body",
-    "nao",
-    "--guardian",
-    world.link,
-    "--door",
-    door,
-    ...args,
-  );
-  const live = await Live.open(t, server);
-  await live.until(() => live.channels.has("/14/2/joints"), "the channels");
-  await live.subscribe(...objects.map((object) => `/14/2/${object}`));
-  /** Returns the newest version of an object, decoded, or undefined before the first. */
-  const newest = (object) => {
-    const message = live.messages.get(`/14/2/${object}`).at(-1);
-    return message && live.decoded(`/14/2/${object}`, message);
-  };
-  return { server, live, newest, door };
-}
 
 /** Returns a free UDP port. */
 const freePort = async () => {

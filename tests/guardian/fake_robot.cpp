@@ -38,6 +38,8 @@
 #include "robot/core/json_library.h"
 #include "robot/core/local_listener.h"
 #include "tests/support/fake_body.h"
+#include "tests/support/input_lines.h"
+#include "tests/support/lola_answer.h"
 #include "tests/support/lola_frame.h"
 
 namespace {
@@ -48,22 +50,6 @@ using nlohmann::json;
 
 constexpr std::uint64_t kCycle_ns = 12 * kMillisecond;
 constexpr int kPriority = 45;  // above the guardian's
-
-/// Returns the commands of an answer, read by another project's MessagePack reader, or nothing if it is no answer.
-std::optional<Actuators> read_answer(const std::string& bytes) {
-  const json answer = json::from_msgpack(bytes, true, false);
-  if (!answer.is_object()) return std::nullopt;
-  Actuators actuators;
-  try {
-    actuators.position = answer.at("Position").get<PerJoint<float>>();
-    actuators.stiffness = answer.at("Stiffness").get<PerJoint<float>>();
-    actuators.lights.chest = answer.at("Chest").get<Colour>();
-    for (std::size_t i = 0; i < 3; ++i) actuators.lights.l_eye[i] = answer.at("LEye").at(8 * i).get<float>();
-  } catch (const json::exception&) {
-    return std::nullopt;
-  }
-  return actuators;
-}
 
 class FakeRobot {
  public:
@@ -154,7 +140,7 @@ class FakeRobot {
     if (n == 0 || (n < 0 && errno != EAGAIN)) return lose();
     if (n > 0) received_.append(block, static_cast<std::size_t>(n));
     while (received_.size() >= ActuatorFrame::kBytes) {
-      const auto answer = read_answer(received_.substr(0, ActuatorFrame::kBytes));
+      const auto answer = tests::read_answer(received_.substr(0, ActuatorFrame::kBytes));
       received_.erase(0, ActuatorFrame::kBytes);
       if (!answer) {
         ++bad_answers_;
@@ -172,17 +158,7 @@ class FakeRobot {
   }
 
   void read_input() {
-    char block[4096];
-    const ssize_t n = ::read(STDIN_FILENO, block, sizeof block);
-    if (n <= 0) {
-      input_open_ = false;
-      return;
-    }
-    input_.append(block, static_cast<std::size_t>(n));
-    for (std::size_t end = input_.find('\n'); end != std::string::npos; end = input_.find('\n')) {
-      obey(input_.substr(0, end));
-      input_.erase(0, end + 1);
-    }
+    input_open_ = input_.read([&](const std::string& line) { obey(line); });
   }
 
   void obey(const std::string& line) {
@@ -240,7 +216,8 @@ class FakeRobot {
   std::vector<FileDescriptor> waiting_;
   tests::FakeBody body_;
   Actuators last_;
-  std::string received_, input_, kind_ = "other";
+  std::string received_, kind_ = "other";
+  tests::InputLines input_;
   bool ended_ = false, input_open_ = true, vanishes_ = false;
   const std::uint64_t ends_ns_;
   std::uint64_t due_ns_ = 0;   // the next cycle

@@ -26,6 +26,8 @@
 
 #include "robot/core/files.h"
 #include "robot/core/local_listener.h"
+#include "tests/support/input_lines.h"
+#include "tests/support/lola_answer.h"
 #include "tests/support/lola_frame.h"
 #include "tests/walk/lola_body.h"
 
@@ -37,21 +39,6 @@ using nlohmann::json;
 
 constexpr long kCycle_ns = 12'000'000;
 constexpr double kDegrees = 180 / std::numbers::pi;
-
-/// Returns the joints of an answer, or nothing if it is no answer.
-std::optional<Actuators> read_answer(const std::string& bytes) {
-  const json answer = json::from_msgpack(bytes, true, false);
-  if (!answer.is_object() || !answer.contains("Position") || !answer.contains("Stiffness")) return std::nullopt;
-  Actuators actuators;
-  try {
-    actuators.position = answer["Position"].get<PerJoint<float>>();
-    actuators.stiffness = answer["Stiffness"].get<PerJoint<float>>();
-    actuators.lights.chest = answer.at("Chest").get<Colour>();
-  } catch (const json::exception&) {
-    return std::nullopt;
-  }
-  return actuators;
-}
 
 /// The robot that people choose.
 struct Choice {
@@ -111,7 +98,7 @@ class LabRobot {
     if (n == 0 || (n < 0 && errno != EAGAIN)) return lose();
     if (n > 0) received_.append(block.data(), static_cast<std::size_t>(n));
     while (received_.size() >= ActuatorFrame::kBytes) {
-      if (const auto answer = read_answer(received_.substr(0, ActuatorFrame::kBytes))) answer_ = *answer;
+      if (const auto answer = tests::read_answer(received_.substr(0, ActuatorFrame::kBytes))) answer_ = *answer;
       received_.erase(0, ActuatorFrame::kBytes);
     }
   }
@@ -124,15 +111,10 @@ class LabRobot {
   }
 
   void read_input() {
-    std::array<char, 4096> block;
-    const ssize_t n = ::read(STDIN_FILENO, block.data(), block.size());
-    if (n <= 0) ended_ = true;
-    if (n > 0) input_.append(block.data(), static_cast<std::size_t>(n));
-    for (std::size_t end = input_.find('\n'); end != std::string::npos; end = input_.find('\n')) {
-      if (!obey(input_.substr(0, end)))
-        std::fprintf(stderr, "lab_robot: cannot obey '%s'\n", input_.substr(0, end).c_str());
-      input_.erase(0, end + 1);
-    }
+    const bool open = input_.read([&](const std::string& line) {
+      if (!obey(line)) std::fprintf(stderr, "lab_robot: cannot obey '%s'\n", line.c_str());
+    });
+    ended_ |= !open;
   }
 
   bool obey(const std::string& line) {
@@ -185,7 +167,8 @@ class LabRobot {
   Choice choice_;
   std::unique_ptr<LolaBody> body_;
   Actuators answer_;
-  std::string received_, input_;
+  std::string received_;
+  tests::InputLines input_;
   bool ended_ = false;
   std::uint64_t frames_ = 0;
 };
