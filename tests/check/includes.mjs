@@ -272,7 +272,7 @@ export const rows = {
   "robot/nao/lola": ["robot/core"],
   "robot/nao/model": ["robot/nao/lola"],
   "robot/nao/guardian": ["robot/core", "robot/nao/lola"],
-  "robot/nao/walk": [],
+  "robot/nao/walk": ["robot/nao/model"],
   "robot/nao/camera": ["robot/core", "robot/memory", "proto", "robot/nao/guardian"],
   "robot/nao/motion": [
     "robot/core",

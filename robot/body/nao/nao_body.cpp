@@ -127,8 +127,10 @@ void NaoBody::write_sensors(const nao::Report& report, std::uint64_t capture_ns)
   auto status = memory_.motion_status.draft();
   motion_.fill_status(report, *status);
   memory_.motion_status.write(std::move(status), capture_ns);
-  if (auto odometry = memory_.odometry.draft(); motion_.fill_odometry(*odometry))
-    memory_.odometry.write(std::move(odometry), capture_ns);
+  if (!motion_.has_odometry()) return;
+  auto odometry = memory_.odometry.draft();
+  motion_.fill_odometry(*odometry);
+  memory_.odometry.write(std::move(odometry), capture_ns);
 }
 
 nao::Order NaoBody::order_after(const nao::Report& report, std::uint64_t capture_ns) {

@@ -167,12 +167,11 @@ Motion::HeadTarget Motion::look_to(const Report& report, const pb::LookTo& place
   return {.yaw = static_cast<float>(head.yaw), .pitch = static_cast<float>(head.pitch)};
 }
 
-bool Motion::fill_odometry(pb::Odometry& odometry) const {
+void Motion::fill_odometry(pb::Odometry& odometry) const {
   const walk::Way& way = legs_.way();
   odometry.set_x(static_cast<float>(way.x));
   odometry.set_y(static_cast<float>(way.y));
   odometry.set_heading(static_cast<float>(way.heading));
-  return may_walk_;
 }
 
 void Motion::fill_status(const Report& report, pb::MotionStatus& status) const {

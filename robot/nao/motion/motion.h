@@ -35,8 +35,10 @@ class Motion {
   /// Returns one sentence if the command asks for a motion that this body does not have, else an empty string.
   const std::string& refused() const { return refused_; }
 
-  /// Fills the odometry of the walk. Returns false before the first command to walk: then there is none.
-  bool fill_odometry(pb::Odometry& odometry) const;
+  /// Reports whether there is odometry: since the first command to walk.
+  bool has_odometry() const { return may_walk_; }
+  /// Fills the odometry of the walk.
+  void fill_odometry(pb::Odometry& odometry) const;
 
   /// Fills the status of the body, the walk and the head.
   void fill_status(const Report& report, pb::MotionStatus& status) const;

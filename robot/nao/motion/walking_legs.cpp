@@ -1,31 +1,11 @@
 #include "robot/nao/motion/walking_legs.h"
 
 #include <algorithm>
-#include <array>
+#include <optional>
+
+#include "robot/nao/motion/leg_joints.h"
 
 namespace robot::nao {
-namespace {
-
-/// The joints of both legs in LoLA's order. One motor turns both hip_yaw_pitch joints.
-constexpr std::array<std::array<Joint, walk::kLegJoints>, 2> kJointsOf = {{
-    {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll},
-    {l_hip_yaw_pitch, r_hip_roll, r_hip_pitch, r_knee_pitch, r_ankle_pitch, r_ankle_roll},
-}};
-
-template <class See>
-void for_each_joint(See&& see) {
-  for (const walk::Side side : {walk::left, walk::right})
-    for (std::size_t joint = 0; joint < walk::kLegJoints; ++joint) see(side, joint, kJointsOf[side][joint]);
-}
-
-walk::Legs legs_of(const PerJoint<float>& positions) {
-  walk::Legs legs;
-  for_each_joint([&](walk::Side side, std::size_t joint, Joint name) { legs[side][joint] = positions[name]; });
-  return legs;
-}
-
-}  // namespace
-
 walk::Sensors walking_sensors(const Report& report) {
   const Sensors& from = report.sensors;
   walk::Sensors sensors;
@@ -52,9 +32,9 @@ void WalkingLegs::drive(const Report& report, const walk::Command& command, floa
     stops_ = command.stands();
     odometry_.see(sensors, steps() ? std::optional(other(walk_->swing())) : std::nullopt, dt);
   }
-  for_each_joint([&](walk::Side side, std::size_t joint, Joint name) {
+  put_legs(targets_, order.position);
+  for_each_leg_joint([&](walk::Side, std::size_t, Joint name) {
     order.drives[name] = 1;
-    order.position[name] = static_cast<float>(targets_[side][joint]);
     order.stiffness[name] = kStiffness;
   });
 }
@@ -70,7 +50,7 @@ bool WalkingLegs::take_over(const Report& report, float dt) {
   taken_ += dt;
   const double part = std::min(taken_ / kTakeOver, 1.0f), smooth = part * part * (3 - 2 * part);
   const walk::Legs stand = walk::stand();
-  for_each_joint([&](walk::Side side, std::size_t joint, Joint) {
+  for_each_leg_joint([&](walk::Side side, std::size_t joint, Joint) {
     targets_[side][joint] = from_[side][joint] + smooth * (stand[side][joint] - from_[side][joint]);
   });
   return false;

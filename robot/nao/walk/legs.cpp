@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/nao/model/dimensions.h"
+
 namespace robot::nao::walk {
 namespace {
 
-constexpr double kThigh = 0.1, kTibia = 0.1029, kFootHeight = 0.04519;  // [m]
-constexpr double kShortestLeg = 0.08;                                   // [m] from hip to ankle
+constexpr double kThigh = Dimensions{}.thigh, kTibia = Dimensions{}.tibia, kFootHeight = Dimensions{}.foot_height;
+constexpr double kShortestLeg = 0.08;  // [m] from hip to ankle
 constexpr double kLongestLeg = kThigh + kTibia - 1e-4;
 constexpr double kYawPerJoint =
     0.72;  // [rad/rad] about: half the difference of the feet's yaws, per angle of the joint
@@ -69,13 +71,13 @@ double solve(double joint, Side side, const Point& sole, const Point& normal, Le
 
 }  // namespace
 
-Reach reach(const std::array<Sole, 2>& soles, double tilt, double guess) {
-  Reach result;
+Legs reach(const std::array<Sole, 2>& soles, double tilt, double guess) {
+  Legs legs;
   const Point normal{-std::sin(tilt), 0, std::cos(tilt)};
   const double wanted = (soles[left].yaw - soles[right].yaw) / 2;
   const auto yaw_at = [&](double joint) {
-    const double of_left = solve(joint, left, soles[left].position, normal, result.legs[left]);
-    return (of_left - solve(joint, right, soles[right].position, normal, result.legs[right])) / 2;
+    const double of_left = solve(joint, left, soles[left].position, normal, legs[left]);
+    return (of_left - solve(joint, right, soles[right].position, normal, legs[right])) / 2;
   };
 
   // two secant steps: the yaw is nearly proportional to the joint
@@ -86,8 +88,7 @@ Reach reach(const std::array<Sole, 2>& soles, double tilt, double guess) {
     joint = std::clamp(joint + (wanted - second) * (joint - guess) / (second - first), kLeastJoint, kMostJoint);
     yaw_at(joint);
   }
-  result.hip_yaw_pitch = joint;
-  return result;
+  return legs;
 }
 
 Point sole_of(const Leg& leg, Side side) {

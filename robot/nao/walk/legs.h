@@ -1,7 +1,7 @@
 // Closed-form kinematics of both legs.
 //
-// Frame `torso`: origin between the hips, +x forward, +y left, +z up along the torso. Lengths: robot/nao/model has the
-// sources. The conventions of the joints are those of LoLA.
+// Frame `torso`: origin between the hips, +x forward, +y left, +z up along the torso. Lengths:
+// robot/nao/model/dimensions.h. The conventions of the joints are those of LoLA.
 #pragma once
 
 #include <array>
@@ -34,16 +34,10 @@ struct Sole {
   double yaw = 0;  // [rad] > 0 to the left
 };
 
-/// Both legs for two soles that are parallel to the ground.
-struct Reach {
-  Legs legs;
-  double hip_yaw_pitch = 0;  // [rad] a good guess for the next call
-};
-
 /// Returns the legs that put the soles there. The torso leans forward by `tilt` [rad] against the soles. The shared
 /// joint can only serve the difference of both yaws, so each foot gets half of it. `guess` is the angle of the shared
 /// joint in the last call. A place out of reach gives the nearest length of the leg.
-Reach reach(const std::array<Sole, 2>& soles, double tilt, double guess);
+Legs reach(const std::array<Sole, 2>& soles, double tilt, double guess);
 
 /// Returns the place of the sole under the ankle [m, torso], relative to the hip of that leg.
 Point sole_of(const Leg& leg, Side side);

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/nao/model/dimensions.h"
+
 namespace robot::nao::walk {
 namespace {
 
-constexpr double kHipHalfWidth = 0.05;  // [m]
-constexpr double kBiasShare = 0.01;     // of a frame in the bias
-constexpr double kBiasMost = 0.05;      // [rad/s] a standing robot that turns faster is turned by somebody
+constexpr double kBiasShare = 0.01;  // of a frame in the bias
+constexpr double kBiasMost = 0.05;   // [rad/s] a standing robot that turns faster is turned by somebody
 
 }  // namespace
 
@@ -21,7 +22,7 @@ void Odometry::see(const Sensors& sensors, std::optional<Side> support, double d
   }
   const double turn = (sensors.rate[2] - bias_) * dt;
   Point foot = sole_of(sensors.joints[*support], *support);
-  foot.y += sign_of(*support) * kHipHalfWidth;
+  foot.y += sign_of(*support) * Dimensions{}.hip_half_width;
   if (support_ == support) {
     // the foot is at the same place as before, seen from a torso that has turned
     const double ahead = foot_.x - (std::cos(turn) * foot.x - std::sin(turn) * foot.y);

@@ -59,10 +59,9 @@ struct Parameters {
   double lean_most = 0.03;           // [m]
 
   // speed
-  double forward_change = 0.05;  // [m/s] in a step; twice as much for slowing down
-  double side_change = 0.06;     // [m/s]
-  double turn_change = 0.35;     // [rad/s]
-  double turn_gain = 1;
+  double forward_change = 0.05;   // [m/s] in a step; twice as much for slowing down
+  double side_change = 0.06;      // [m/s]
+  double turn_change = 0.35;      // [rad/s]
   double slip = 0.094;            // share of the way forward that the feet slip
   double speed_learning = 0.1;    // share of the error of the speed that corrects the plan, in each step
   double correction_most = 0.06;  // [m/s] bound of that correction

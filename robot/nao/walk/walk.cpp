@@ -44,7 +44,7 @@ double beyond(double error, double from, double gain, double most) {
 
 Legs stand(const Parameters& parameters) {
   const Sole sole{{-parameters.ahead, 0, -parameters.hip_height}, 0};
-  return reach({sole, sole}, 0, 0).legs;
+  return reach({sole, sole}, 0, 0);
 }
 
 Walk::Walk(const Parameters& parameters) : parameters_(parameters), balance_(parameters_), servos_(parameters_) {}
@@ -177,7 +177,7 @@ void Walk::begin_step(const Sensors& sensors, const Command& command) {
   kick_ = command.foot == swing_ && count_ > kWarmUp ? command.kick : KickStep::none;
   ends_ = command.stands() && std::abs(speed_.forward) < kStopSpeed && std::abs(speed_.left) < kStopSpeed;
   stride_ = ((1 + p.slip) * speed_.forward + correction_.forward) * p.period;
-  const double side = (speed_.left + correction_.left) * p.period, turn = speed_.turn * p.period * p.turn_gain;
+  const double side = (speed_.left + correction_.left) * p.period, turn = speed_.turn * p.period;
   support_start_ = sole_of(sensors.joints[other(swing_)], other(swing_));
 
   // a step to its own side opens the legs, the next one closes them
@@ -273,15 +273,13 @@ void Walk::pose(const Sensors& sensors, double dt) {
     const Foot& foot = feet_[side];
     soles[side] = {{foot.x - p.ahead - lean_, foot.y, foot.z - p.hip_height}, foot.yaw};
   }
-  const Reach reached = reach(soles, 0, hip_yaw_pitch_);
-  hip_yaw_pitch_ = reached.hip_yaw_pitch;
+  const Legs plan = reach(soles, 0, hip_yaw_pitch_);
+  hip_yaw_pitch_ = plan[left][hip_yaw_pitch];
 
-  if (stepping_) servos_.see(sensors.joints, reached.legs, swing_, dt);
-  targets_ = stepping_ ? servos_.led(reached.legs, dt) : servos_.unled(reached.legs);
-  const bool left_swings = swing_ == left;
-  const std::array<double, 2> supports = !stepping_    ? std::array{0.5, 0.5}
-                                         : left_swings ? std::array{0.0, 1.0}
-                                                       : std::array{1.0, 0.0};
+  if (stepping_) servos_.see(sensors.joints, plan, swing_, dt);
+  targets_ = stepping_ ? servos_.led(plan, dt) : servos_.unled(plan);
+  std::array<double, 2> supports{0.5, 0.5};
+  if (stepping_) supports[swing_] = 0, supports[other(swing_)] = 1;
   balance_.steady(supports, targets_);
 }
 

@@ -44,8 +44,6 @@ class Walk {
   KickStep kick() const { return stepping_ ? kick_ : KickStep::none; }
   /// Returns the shift of the swing foot that catches a fall.
   const Tipping& caught() const { return shift_; }
-  const Balance& balance() const { return balance_; }
-  const ServoLag& servos() const { return servos_; }
 
  private:
   /// The place of a foot, relative to its place under the hip [m, torso's heading].

@@ -174,11 +174,12 @@ TEST_F(NaoMotion, WalksWithinTheRangesOfTheJointsAndSaysSo) {
 }
 
 TEST_F(NaoMotion, HasNoOdometryUntilTheFirstWalk) {
-  pb::Odometry odometry;
-  EXPECT_FALSE(motion.fill_odometry(odometry));
+  EXPECT_FALSE(motion.has_odometry());
   command.mutable_walk_speed()->set_x(0.1f);
   for (int i = 0; i < 400; ++i) next();
-  EXPECT_TRUE(motion.fill_odometry(odometry));
+  EXPECT_TRUE(motion.has_odometry());
+  pb::Odometry odometry;
+  motion.fill_odometry(odometry);
   EXPECT_GT(odometry.x(), 0.1);
 }
 

@@ -6,21 +6,15 @@
 #include <random>
 
 #include "robot/nao/model/kinematics.h"
+#include "robot/nao/motion/leg_joints.h"
 
 namespace robot::nao::walk {
 namespace {
 
 /// Returns the legs as joints of LoLA, for the other kinematics.
 PerJoint<float> joints_of(const Legs& legs) {
-  constexpr std::size_t kLeft[] = {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll};
-  constexpr std::size_t kRight[] = {l_hip_yaw_pitch, r_hip_roll,    r_hip_pitch,
-                                    r_knee_pitch,    r_ankle_pitch, r_ankle_roll};
   PerJoint<float> joints{};
-  for (int joint = 0; joint < kLegJoints; ++joint) {
-    const auto i = static_cast<std::size_t>(joint);
-    joints[kLeft[i]] = static_cast<float>(legs[left][i]);
-    joints[kRight[i]] = static_cast<float>(legs[right][i]);
-  }
+  put_legs(legs, joints);
   return joints;
 }
 
@@ -40,8 +34,8 @@ TEST(Legs, PutTheSolesWhereTheyShouldBeByAnotherKinematics) {
   std::mt19937 random(1);
   for (int i = 0; i < 1000; ++i) {
     const auto soles = drawn_soles(random);
-    const Reach reached = reach(soles, 0, 0);
-    const PerJoint<float> joints = joints_of(reached.legs);
+    const Legs legs = reach(soles, 0, 0);
+    const PerJoint<float> joints = joints_of(legs);
     for (const Side side : {left, right}) {
       const Transform sole = Kinematics().hip_from_sole(joints, side == left ? nao::Side::left : nao::Side::right);
       const Point& wanted = soles[side].position;
@@ -59,7 +53,7 @@ TEST(Legs, EachFootGetsHalfOfTheDifferenceOfBothYaws) {
   for (int i = 0; i < 300; ++i) {
     const auto soles = drawn_soles(random);
     // the guess is that of the last tick, so it is good
-    const PerJoint<float> joints = joints_of(reach(soles, 0, reach(soles, 0, 0).hip_yaw_pitch).legs);
+    const PerJoint<float> joints = joints_of(reach(soles, 0, reach(soles, 0, 0)[left][hip_yaw_pitch]));
     const auto yaw = [&](nao::Side side) {
       const Eigen::Matrix3d rotation = Kinematics().hip_from_sole(joints, side).linear();
       return std::atan2(rotation(1, 0), rotation(0, 0));
@@ -70,7 +64,7 @@ TEST(Legs, EachFootGetsHalfOfTheDifferenceOfBothYaws) {
 
 TEST(Legs, ATiltLeansTheTorsoForwardOverLevelSoles) {
   const std::array<Sole, 2> soles{{{{0, 0, -0.21}, 0}, {{0, 0, -0.21}, 0}}};
-  const PerJoint<float> joints = joints_of(reach(soles, 0.1, 0).legs);
+  const PerJoint<float> joints = joints_of(reach(soles, 0.1, 0));
   for (const nao::Side side : {nao::Side::left, nao::Side::right})
     EXPECT_NEAR(Kinematics().lean_on(joints, side).pitch, 0.1, 1e-5);
 }
@@ -79,9 +73,9 @@ TEST(Legs, SoleOfIsTheInverseOfReach) {
   std::mt19937 random(3);
   for (int i = 0; i < 1000; ++i) {
     const auto soles = drawn_soles(random);
-    const Reach reached = reach(soles, 0, 0);
+    const Legs legs = reach(soles, 0, 0);
     for (const Side side : {left, right}) {
-      const Point found = sole_of(reached.legs[side], side);
+      const Point found = sole_of(legs[side], side);
       EXPECT_NEAR(found.x, soles[side].position.x, 1e-9);
       EXPECT_NEAR(found.y, soles[side].position.y, 1e-9);
       EXPECT_NEAR(found.z, soles[side].position.z, 1e-9);
@@ -98,7 +92,7 @@ TEST(Legs, MirroredSolesGiveMirroredLegs) {
       const Sole& sole = soles[other(side)];
       mirrored[side] = {{sole.position.x, -sole.position.y, sole.position.z}, -sole.yaw};
     }
-    const Legs legs = reach(soles, 0.05, 0).legs, image = reach(mirrored, 0.05, 0).legs;
+    const Legs legs = reach(soles, 0.05, 0), image = reach(mirrored, 0.05, 0);
     for (const Side side : {left, right})
       for (const LegJoint joint : {hip_yaw_pitch, hip_roll, hip_pitch, knee_pitch, ankle_pitch, ankle_roll}) {
         const double sign = joint == hip_roll || joint == ankle_roll ? -1 : 1;
@@ -109,7 +103,7 @@ TEST(Legs, MirroredSolesGiveMirroredLegs) {
 
 TEST(Legs, APlaceOutOfReachGivesTheNearestLengthOfTheLeg) {
   const std::array<Sole, 2> far{{{{0, 0, -0.5}, 0}, {{0, 0, -0.01}, 0}}};
-  const Legs legs = reach(far, 0, 0).legs;
+  const Legs legs = reach(far, 0, 0);
   EXPECT_NEAR(legs[left][knee_pitch], 0, 0.07);  // straight
   EXPECT_GT(legs[right][knee_pitch], 2);         // bent
   for (const Side side : {left, right})

@@ -14,7 +14,7 @@ constexpr double kCycle = 0.012;  // [s]
 /// Returns sensors of a robot whose left foot is at this place under the hip.
 Sensors on_left_foot(double x, double y, double turn_rate = 0) {
   Sensors sensors;
-  sensors.joints = reach({Sole{{x, y, -0.21}, 0}, Sole{{0, 0, -0.19}, 0}}, 0, 0).legs;
+  sensors.joints = reach({Sole{{x, y, -0.21}, 0}, Sole{{0, 0, -0.19}, 0}}, 0, 0);
   sensors.rate[2] = turn_rate;
   return sensors;
 }
