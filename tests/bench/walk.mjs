@@ -2,7 +2,7 @@
 import { kAtomInstructions, startCounted } from "./atom.mjs";
 import { start } from "./programs.mjs";
 import { Report } from "./report.mjs";
-import { binomialInterval, poissonInterval } from "./statistics.mjs";
+import { binomialInterval, poissonInterval, quantile } from "./statistics.mjs";
 
 // No seed from here on was used to choose a parameter of the walk.
 const kFirstSeed = 900_000;
@@ -17,6 +17,7 @@ function tellInterval(report, name, [from, to], factor, unit) {
   report.figure(`${name}, 95 % interval from`, factor * from, unit);
   report.figure(`${name}, 95 % interval to`, factor * to, unit);
 }
+const medianOf = (values) => quantile(values, 0.5);
 const sum = (found, figure) => kClasses.reduce((all, name) => all + found[name][figure], 0);
 
 /** Plays a case with this share of the robots, on seeds of its own. */
@@ -40,7 +41,7 @@ async function walking(report, robots) {
   const walk = await played("walk", robots, 0);
   const [falls, kilometres] = tellFalls(report, "0.20 m/s", walk, { atMost: 3 });
   for (const name of kClasses) {
-    const { median, p10 } = walk[name].forward;
+    const [median, p10] = [0.5, 0.1].map((part) => quantile(walk[name].forward, part));
     report.figure(`0.20 m/s, ${name}: achieved speed, median`, percent(median / 0.2), "%", { atLeast: 85 });
     report.figure(`0.20 m/s, ${name}: achieved speed, 10th percentile`, percent(p10 / 0.2), "%", { atLeast: 70 });
   }
@@ -48,7 +49,7 @@ async function walking(report, robots) {
   tellFalls(report, "0.25 m/s", fast);
   report.figure(
     "0.25 m/s: achieved speed, median of both classes",
-    (fast.stiff.forward.median + fast.soft.forward.median) / 2,
+    (medianOf(fast.stiff.forward) + medianOf(fast.soft.forward)) / 2,
     "m/s",
   );
 
@@ -85,7 +86,7 @@ async function walking(report, robots) {
     for (const name of kClasses)
       report.figure(
         `without ${part}, ${name}: achieved speed, median`,
-        percent(without[name].forward.median / 0.2),
+        percent(medianOf(without[name].forward) / 0.2),
         "%",
       );
   }
@@ -104,7 +105,7 @@ async function otherCommands(report, robots) {
   report.figure("stop: still within 1.5 s", percent(ends.filter((time) => time < 1.5).length / ends.length), "%", {
     atLeast: 95,
   });
-  report.figure("stop: last step, median", ends.sort((a, b) => a - b)[Math.floor(ends.length / 2)], "s");
+  report.figure("stop: last step, median", medianOf(ends), "s");
   report.figure("stop: falls", sum(stop, "falls"), `of ${ends.length}`, { exactly: 0 });
 
   for (const [name, figure, wanted] of [
@@ -113,14 +114,14 @@ async function otherCommands(report, robots) {
   ]) {
     const found = await played(name, robots / 5, 40_000);
     for (const one of kClasses)
-      report.figure(`${name}, ${one}: achieved, median`, percent(found[one][figure] / wanted), "%", {
+      report.figure(`${name}, ${one}: achieved, median`, percent(medianOf(found[one][figure]) / wanted), "%", {
         between: [75, 125],
       });
     report.figure(`${name}: falls`, sum(found, "falls"), `of ${sum(found, "trials")}`);
   }
   const back = await played("backwards", robots / 5, 40_000);
   for (const one of kClasses)
-    report.figure(`backwards, ${one}: achieved, median`, percent(back[one].forward.median / -0.1), "%");
+    report.figure(`backwards, ${one}: achieved, median`, percent(medianOf(back[one].forward) / -0.1), "%");
 }
 
 async function pushes(report, robots) {
@@ -128,12 +129,8 @@ async function pushes(report, robots) {
     for (const state of ["walking", "standing"]) {
       const least = { 1.2: 0.95, 1.8: 0.85 }[impulse];
       const found = await played(`push ${impulse} ${state}`, robots * (least ? 0.54 : 0.2), 50_000);
-      const trials = kDirections.map((_, i) =>
-        sum({ stiff: found.stiff.trials_by_direction, soft: found.soft.trials_by_direction }, i),
-      );
-      const falls = kDirections.map((_, i) =>
-        sum({ stiff: found.stiff.falls_by_direction, soft: found.soft.falls_by_direction }, i),
-      );
+      const byDirection = (figure) => kDirections.map((_, i) => found.stiff[figure][i] + found.soft[figure][i]);
+      const [trials, falls] = ["trials_by_direction", "falls_by_direction"].map(byDirection);
       const upright = falls.map((count, i) => 1 - count / trials[i]);
       const worst = upright.indexOf(Math.min(...upright));
       const all = sum(found, "trials");

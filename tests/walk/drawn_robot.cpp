@@ -2,32 +2,10 @@
 
 #include <algorithm>
 #include <numbers>
-#include <random>
+
+#include "tests/walk/dice.h"
 
 namespace robot::nao::walk {
-namespace {
-
-/// Draws that stay the same with each library: no distribution of the standard library is used.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : bits_(seed) {}
-
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
-  }
-  /// Returns a number with mean 0 and deviation 1: the sum of twelve uniform ones.
-  double normal() {
-    double sum = -6;
-    for (int i = 0; i < 12; ++i) sum += between(0, 1);
-    return sum;
-  }
-
- private:
-  std::mt19937_64 bits_;
-};
-
-}  // namespace
-
 DrawnRobot draw_robot(std::uint64_t seed, Servos servos, double wider) {
   Dice dice(seed * 2 + (servos == Servos::soft ? 1 : 0) + 0x9e3779b97f4a7c15);
   const auto range = [&](double low, double high) {
@@ -57,7 +35,6 @@ DrawnRobot draw_robot(std::uint64_t seed, Servos servos, double wider) {
   for (double& gain : robot.load_gain) gain = std::max(0.0, 1 + wider * 0.2 * dice.normal());
   const double dead = dice.between(0, 80);
   if (dead < 8) robot.load_gain[static_cast<std::size_t>(dead)] = 0;
-  robot.start = dice.between(0, 0.3);
   return robot;
 }
 

@@ -28,7 +28,6 @@ struct DrawnRobot {
   double angle_lag = 0;                           // [s] of the torso's angles
   double roll_bias = 0, pitch_bias = 0;           // [rad]
   std::array<double, 8> load_gain{};              // of the foot sensors; 0: dead
-  double start = 0;                               // [s] drawn time before anything happens, so that phases differ
 };
 
 /// Returns the robot of this seed. `wider` is the factor of all ranges: 1, or 1.2 for the check beyond them.

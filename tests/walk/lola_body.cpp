@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "robot/nao/guardian/key_frames.h"
+#include "robot/nao/motion/leg_joints.h"
 #include "tests/support/lola_frame.h"
 
 namespace robot::nao {
@@ -14,25 +15,6 @@ constexpr int kSteps = 6;                // of the physics in a cycle
 constexpr int kPushSteps = 25;           // 50 ms
 constexpr double kPushDuration = kPushSteps * walk::Physics::kStep;
 constexpr float kHasStiffness = 0.1f;  // [0..1] of a knee
-
-constexpr Joint kLegs[2][walk::kLegJoints] = {
-    {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll},
-    {l_hip_yaw_pitch, r_hip_roll, r_hip_pitch, r_knee_pitch, r_ankle_pitch, r_ankle_roll},
-};
-
-/// Calls copy(leg's angle, position in LoLA's order) for each joint of the legs.
-template <class Legs, class Positions, class Copy>
-void for_each_leg_joint(Legs& legs, Positions& positions, Copy&& copy) {
-  for (const walk::Side side : {walk::left, walk::right})
-    for (std::size_t joint = 0; joint < walk::kLegJoints; ++joint)
-      copy(legs[side][joint], positions[kLegs[side][joint]]);
-}
-
-walk::Legs legs_of(const PerJoint<float>& positions) {
-  walk::Legs legs{};
-  for_each_leg_joint(legs, positions, [](double& leg, float position) { leg = position; });
-  return legs;
-}
 
 }  // namespace
 
@@ -81,8 +63,7 @@ void LolaBody::sense() {
   std::copy(from.rate.begin(), from.rate.end(), sensors.gyroscope.begin());
   sensors.angles = {static_cast<float>(from.roll), static_cast<float>(from.pitch)};
   for (std::size_t i = 0; i < sensors.fsr.size(); ++i) sensors.fsr[i] = static_cast<float>(from.load[i / 4][i % 4]);
-  for_each_leg_joint(from.joints, sensors.position,
-                     [](double leg, float& position) { position = static_cast<float>(leg); });
+  put_legs(from.joints, sensors.position);
 }
 
 }  // namespace robot::nao

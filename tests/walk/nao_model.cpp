@@ -256,10 +256,6 @@ std::string model_of(const Scene& scene) {
         "<body name='ball' pos='0 20 %g'><freejoint/><geom name='ball' type='sphere' size='%g' mass='0.044' "
         "friction='0.5 0.003 0.0001' priority='1' solref='-3000 -6.4'/></body>",
         kBallRadius, kBallRadius);
-  if (scene.box)
-    all +=
-        "<body name='box' pos='0 -20 0.27'><freejoint/><geom name='box' type='box' size='0.06 0.13 0.265' "
-        "mass='5.3' friction='0.7'/></body>";
   all += "</worldbody><equality><joint joint1='LHipYawPitch' joint2='RHipYawPitch' solref='0.004 1'/></equality>";
   all += "<actuator>" + motors() + "</actuator><sensor>" + sensors() + "</sensor></mujoco>";
   return all;

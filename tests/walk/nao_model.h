@@ -9,7 +9,6 @@ namespace robot::nao::walk {
 struct Scene {
   bool turf = false;  // an uneven ground; its heights are drawn for each trial
   bool ball = false;  // 44 g, 10 cm
-  bool box = false;   // as heavy and tall as a Nao; it does not push back
   /// Two readings of the published inertias: about the centre of mass of each link, or about its origin. Sources
   /// disagree (facts about the Nao's model), so each robot has one of both.
   bool about_origin = false;

@@ -51,22 +51,13 @@ Physics::Physics(const Scene& scene)
     }
   torso_ = mj_name2id(model_.get(), mjOBJ_BODY, "torso");
   ball_ = mj_name2id(model_.get(), mjOBJ_BODY, "ball");
-  box_ = mj_name2id(model_.get(), mjOBJ_BODY, "box");
 }
 
 Physics::~Physics() = default;
 
-double Physics::uniform() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
-
-double Physics::normal() {
-  double sum = -6;
-  for (int i = 0; i < 12; ++i) sum += uniform();
-  return sum;
-}
-
 void Physics::reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& legs, double hip_height) {
   robot_ = robot;
-  bits_.seed(seed * 2654435761u + 17);
+  dice_ = Dice(seed * 2654435761u + 17);
   mjModel& model = *model_;
   for (const Side side : {left, right})
     for (const int dof : speed_[side]) {
@@ -81,14 +72,14 @@ void Physics::reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& leg
   }
   if (model.nhfield > 0)
     for (int i = 0; i < model.hfield_nrow[0] * model.hfield_ncol[0]; ++i)
-      model.hfield_data[i] = static_cast<float>(uniform() * robot.turf / kTurfHeight);
+      model.hfield_data[i] = static_cast<float>(dice_.uniform() * robot.turf / kTurfHeight);
 
   mjData& data = *data_;
   mj_resetData(&model, &data);
   for (const Side side : {left, right})
     for (std::size_t joint = 0; joint < kLegJoints; ++joint) data.qpos[position_[side][joint]] = legs[side][joint];
   data.qpos[2] = hip_height + kTorsoAboveHip + 0.002 + robot.turf;
-  if (model.nhfield > 0) data.qpos[0] = -4, data.qpos[1] = -3 + 6 * uniform();
+  if (model.nhfield > 0) data.qpos[0] = -4, data.qpos[1] = -3 + 6 * dice_.uniform();
   mj_forward(&model, &data);
   queue_.clear();
   target_ = legs, stiffness_ = 1;
@@ -101,18 +92,18 @@ Sensors Physics::sense() {
   const double dt = data.time - sensed_at_;
   sensed_at_ = data.time;
   for (std::size_t i = 0; i < 3; ++i)
-    sensors.rate[i] = data.sensordata[i] + robot_.rate_bias[i] + robot_.rate_noise * normal();
+    sensors.rate[i] = data.sensordata[i] + robot_.rate_bias[i] + robot_.rate_noise * dice_.normal();
 
   const mjtNum* const rotation = data.xmat + 9 * torso_;  // by rows; its columns are the axes of the torso
   const double share = robot_.angle_lag > 0 ? dt / (dt + robot_.angle_lag) : 1;
   pitch_ += share * (std::asin(std::clamp(-rotation[6], -1.0, 1.0)) - pitch_);
   roll_ += share * (std::atan2(rotation[7], rotation[8]) - roll_);
-  sensors.pitch = pitch_ + robot_.pitch_bias + kAngleNoise * normal();
-  sensors.roll = roll_ + robot_.roll_bias + kAngleNoise * normal();
+  sensors.pitch = pitch_ + robot_.pitch_bias + kAngleNoise * dice_.normal();
+  sensors.roll = roll_ + robot_.roll_bias + kAngleNoise * dice_.normal();
 
   for (std::size_t i = 0; i < 8; ++i)
     sensors.load[i / 4][i % 4] =
-        std::max(0.0, robot_.load_gain[i] * data.sensordata[3 + i] / kGravity + kLoadNoise * normal());
+        std::max(0.0, robot_.load_gain[i] * data.sensordata[3 + i] / kGravity + kLoadNoise * dice_.normal());
   for (const Side side : {left, right})
     for (std::size_t joint = 0; joint < kLegJoints; ++joint)
       sensors.joints[side][joint] = data.qpos[position_[side][joint]] + robot_.offset[side][joint];
@@ -165,19 +156,15 @@ Truth Physics::truth() const {
 
 double Physics::now() const { return data_->time; }
 
-void Physics::place(const char* body, double ahead, double left_of, double height) {
-  const int id = mj_name2id(model_.get(), mjOBJ_BODY, body);
-  const int joint = model_->body_jntadr[id];
+void Physics::place_ball(double ahead, double left_of) {
+  const int joint = model_->body_jntadr[ball_];
   const Truth robot = truth();
   const double cosine = std::cos(robot.heading), sine = std::sin(robot.heading);
   mjtNum* const place = data_->qpos + model_->jnt_qposadr[joint];
   place[0] = robot.x + ahead * cosine - left_of * sine;
   place[1] = robot.y + ahead * sine + left_of * cosine;
-  place[2] = height;
+  place[2] = kBallRadius;
   std::fill_n(data_->qvel + model_->jnt_dofadr[joint], 6, 0.0);
 }
-
-void Physics::place_ball(double ahead, double left_of) { place("ball", ahead, left_of, kBallRadius); }
-void Physics::place_box(double ahead, double left_of) { place("box", ahead, left_of, 0.27); }
 
 }  // namespace robot::nao::walk

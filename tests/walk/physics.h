@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <random>
 
 #include "robot/nao/walk/sensors.h"
+#include "tests/walk/dice.h"
 #include "tests/walk/drawn_robot.h"
 #include "tests/walk/nao_model.h"
 
@@ -50,8 +50,6 @@ class Physics {
 
   /// Puts the ball on the ground [m, robot: on the ground under the torso].
   void place_ball(double ahead, double left);
-  /// Puts the box on the ground likewise.
-  void place_box(double ahead, double left);
 
  private:
   struct Target {
@@ -60,16 +58,12 @@ class Physics {
     double stiffness;
   };
 
-  double uniform();
-  double normal();
-  void place(const char* body, double ahead, double left, double height);
-
   std::unique_ptr<mjModel_, void (*)(mjModel_*)> model_;
   std::unique_ptr<mjData_, void (*)(mjData_*)> data_;
   std::array<std::array<int, kLegJoints>, 2> position_{}, speed_{};  // addresses of the joints in qpos and qvel
-  int torso_ = 0, ball_ = -1, box_ = -1;                             // bodies
+  int torso_ = 0, ball_ = -1;                                        // bodies
   DrawnRobot robot_;
-  std::mt19937_64 bits_;
+  Dice dice_{0};
   std::deque<Target> queue_;
   Legs target_{};
   double stiffness_ = 1;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/nao/lola/joints.h"
+#include "robot/nao/guardian/limiter.h"
+#include "robot/nao/motion/leg_joints.h"
 
 namespace robot::nao::walk {
 namespace {
@@ -14,23 +15,25 @@ constexpr double kWarmUp = 2;     // [s] until the displacements count
 constexpr double kFallen = 0.5;   // cosine of 60°
 constexpr double kLowest = 0.2;   // [m]
 
-constexpr std::array<std::array<Joint, kLegJoints>, 2> kJoints = {{
-    {l_hip_yaw_pitch, l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll},
-    {l_hip_yaw_pitch, r_hip_roll, r_hip_pitch, r_knee_pitch, r_ankle_pitch, r_ankle_roll},
-}};
+/// The guardian's limiter for the legs.
+class LimitedLegs {
+ public:
+  explicit LimitedLegs(const Legs& start) {
+    target_.stiffness.fill(1);
+    put_legs(start, target_.position);
+    limiter_.start(target_);
+  }
 
-/// Returns the targets as the guardian's limiter lets them pass: within the ranges and speeds of the joints.
-Legs limited(const Legs& last, const Legs& wanted, double dt) {
-  Legs passed;
-  for (const Side side : {left, right})
-    for (std::size_t joint = 0; joint < kLegJoints; ++joint) {
-      const JointLimits& limits = limits_of(kJoints[side][joint]);
-      const double most = limits.speed * dt, before = last[side][joint];
-      passed[side][joint] = std::clamp(std::clamp(wanted[side][joint], before - most, before + most),
-                                       double{limits.range.low}, double{limits.range.high});
-    }
-  return passed;
-}
+  /// Returns the targets that the limiter lets pass, `dt` [s] after the last ones.
+  Legs next(const Legs& wanted, double dt) {
+    put_legs(wanted, target_.position);
+    return legs_of(limiter_.next(target_, target_.position, static_cast<float>(dt), 1).position);
+  }
+
+ private:
+  Pose target_;
+  Limiter limiter_;
+};
 
 /// Sums the displacements of the torso, and the time in which it was too slow.
 class Odometer {
@@ -68,18 +71,16 @@ class Odometer {
 Outcome run(Physics& physics, Gait& gait, const DrawnRobot& robot, std::uint64_t seed, const Legs& stand,
             double hip_height, const Plan& plan) {
   physics.reset(robot, seed, stand, hip_height);
-  if (plan.box_ahead > 0) physics.place_box(plan.box_ahead, plan.box_aside);
   Outcome outcome;
   Odometer odometer(physics.truth());
   double next_frame = 0, next_sample = kSampled;
   bool ball_lies = false;
-  Legs targets = stand;
+  LimitedLegs limiter(stand);
   while (physics.now() < plan.duration) {
     const double now = physics.now();
     if (now >= next_frame - 1e-9) {
       next_frame += plan.dt;
-      targets = limited(targets, gait.tick(physics.sense(), plan.command(now), plan.dt), plan.dt);
-      physics.command(targets);
+      physics.command(limiter.next(gait.tick(physics.sense(), plan.command(now), plan.dt), plan.dt));
       if (gait.steps()) outcome.last_step = now;
     }
     if (plan.with_ball && gait.kicks() && !ball_lies) {

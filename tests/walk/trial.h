@@ -38,8 +38,6 @@ struct Plan {
   bool with_ball = false;  // puts the ball down when a step with a kick begins
   double ball_ahead = 0;   // [m] from the torso
   double ball_left = 0;    // [m]
-  double box_ahead = 0;    // [m] distance of the box at the beginning; 0: none
-  double box_aside = 0;    // [m]
 };
 
 /// The result of one trial.

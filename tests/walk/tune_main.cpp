@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <memory>
 #include <numbers>
-#include <random>
 
 #include "sim/learn/cma.h"
+#include "tests/walk/dice.h"
 #include "tests/walk/our_gait.h"
 
 namespace {
@@ -64,8 +64,6 @@ Parameters at(const sim::learn::Vector& point) {
   return parameters;
 }
 
-double uniform(std::mt19937_64& bits) { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-
 /// Lets robots walk, be pushed and obey quick commands. Falls cost most, earlier ones more; then missing speed.
 class Judge {
  public:
@@ -79,19 +77,19 @@ class Judge {
     for (int i = 0; i < robots; ++i) {
       const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
       const Servos servos = i % 2 == 0 ? Servos::stiff : Servos::soft;
-      std::mt19937_64 bits(seed);
+      Dice dice(seed);
       const Outcome walk = run(parameters, servos, seed, 14, [](double) { return Command{.forward = 0.2}; }, {});
       const double speed = walk.measured > 0 ? walk.forward / walk.measured : 0;
       sum += fall(walk, 14) + 4 * std::max(0.0, 0.19 - speed) / 0.19;
       for (int push = 0; push < 2; ++push) {
-        const double when = 2.5 + uniform(bits), direction = 2 * std::numbers::pi * uniform(bits);
+        const double when = 2.5 + dice.uniform(), direction = 2 * std::numbers::pi * dice.uniform();
         sum += fall(run(parameters, servos, seed, 6.5, [](double) { return Command{.forward = 0.15}; },
                         {{when, 1.8, direction}}),
                     6.5);
       }
       std::array<Command, 6> commands;
       for (Command& command : commands)
-        command = {-0.1 + 0.3 * uniform(bits), -0.1 + 0.2 * uniform(bits), -0.8 + 1.6 * uniform(bits)};
+        command = {-0.1 + 0.3 * dice.uniform(), -0.1 + 0.2 * dice.uniform(), -0.8 + 1.6 * dice.uniform()};
       const auto now = [&](double time) { return commands[static_cast<std::size_t>(time / 2) % commands.size()]; };
       sum += 2 * fall(run(parameters, servos, seed, 12, now, {}), 12);
     }
