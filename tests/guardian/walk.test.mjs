@@ -11,8 +11,8 @@ import { World } from "./world.mjs";
 
 const skip = existsSync(pathOf(bin, "lab_robot")) ? false : "MuJoCo is missing: install libmujoco-dev";
 
-// How well it walks is the matter of tests/walk, whose time does not depend on the machine. Here a busy machine may make it
-// fall, because the physics goes on at the pace of the clock.
+// tests/walk judges the walk itself, in a time that does not depend on the machine. Here the physics follows the clock, so a
+// busy machine may make the robot fall.
 describe("a robot in the physics", { skip }, () => {
   test("stands up by its chest button, obeys commands to walk and is put up again with other servos", async (t) => {
     const world = new World(t);

@@ -22,9 +22,6 @@ class ServoLag {
   /// Notes the targets of a tick without lead, while the robot stands. Returns them.
   const Legs& unled(const Legs& plan) { return last_ = plan; }
 
-  /// Returns the lag that is led now [s].
-  double lag() const { return lag_; }
-
  private:
   const Parameters& parameters_;
   Legs last_{};          // the last plan
