@@ -20,21 +20,30 @@ const visible = (pose) =>
     .map((landmark) => ({ ...landmark, pixel: pixelOf(pose, [landmark.x, landmark.y, landmark.z]) }))
     .filter(({ pixel }) => pixel && pixel.x > 5 && pixel.y > 5 && pixel.x < 635 && pixel.y < 475);
 
-/** Returns the place of a pixel of the image on the page. */
-async function onPage(page, { x, y }) {
-  const box = await page.getByLabel(/that sensor 1 sees$/).boundingBox();
-  const scale = Math.min(box.width / 640, box.height / 480);
-  return { x: box.x + box.width / 2 + scale * (x - 320), y: box.y + box.height / 2 + scale * (y - 240) };
+const imageOf = (page) => page.getByLabel(/that sensor 1 sees$/);
+const fieldOf = (page) => page.getByLabel("The field from above, with the truth");
+/** Returns where a pixel of the image is in its box. */
+function inImage({ width, height }, { x, y }) {
+  const scale = Math.min(width / 640, height / 480);
+  return { x: width / 2 + scale * (x - 320), y: height / 2 + scale * (y - 240) };
 }
-/** Returns the place of a point of the field on the page, where the field lies on its long side. */
-async function onField(page, { x, y }) {
-  const box = await page.getByLabel("The field from above, with the truth").boundingBox();
+/** Returns where a point of the field is in its box, where the field lies on its long side. */
+function inField({ width, height }, { x, y }) {
   // the sensor at y = -4.1 and the border of 0.7 m have room
-  const scale = Math.min(box.width / (9 + 1.4), box.height / (2 * (4.1 + 0.45)));
-  return { x: box.x + box.width / 2 + scale * x, y: box.y + box.height / 2 - scale * y };
+  const scale = Math.min(width / (9 + 1.4), height / (2 * (4.1 + 0.45)));
+  return { x: width / 2 + scale * x, y: height / 2 - scale * y };
 }
-
-const clickAt = async (page, { x, y }) => page.mouse.click(x, y);
+/** Returns the place of a pixel of the image on the page. */
+async function onPage(page, pixel) {
+  const box = await imageOf(page).boundingBox();
+  const { x, y } = inImage(box, pixel);
+  return { x: box.x + x, y: box.y + y };
+}
+// the click waits until its target rests: an answer can move it
+const clickImage = async (page, pixel) =>
+  imageOf(page).click({ position: inImage(await imageOf(page).boundingBox(), pixel) });
+const clickField = async (page, landmark) =>
+  fieldOf(page).click({ position: inField(await fieldOf(page).boundingBox(), landmark) });
 const row = (page, name) => page.getByRole("row").filter({ has: page.getByRole("button", { name, exact: true }) });
 
 test("a sensor is described, drawn as points and as an image, and compared with the true positions", async (t) => {
@@ -123,23 +132,23 @@ test("a sensor is calibrated by clicks in the image and on the field, in either 
   await row(page, landmarks[0].name).waitFor();
 
   // the image first, and the field first
-  await clickAt(page, await onPage(page, landmarks[0].pixel));
+  await clickImage(page, landmarks[0].pixel);
   await until(async () => /its place on the field/.test(await textOf(step)), "a question for the place");
-  await clickAt(page, await onField(page, landmarks[0]));
+  await clickField(page, landmarks[0]);
   await row(page, landmarks[0].name).getByText("clicked").waitFor();
-  await clickAt(page, await onField(page, landmarks[1]));
+  await clickField(page, landmarks[1]);
   await until(
     async () => (await textOf(step)).includes(`${landmarks[1].name} in the image`),
     "a question for the pixel",
   );
-  await clickAt(page, await onPage(page, landmarks[1].pixel));
+  await clickImage(page, landmarks[1].pixel);
   await page.getByRole("alert").getByText("Refused: expected at least 4 landmarks, got 2").waitFor();
   const save = page.getByRole("button", { name: "Save as lab.json" });
   assert.ok(await save.isDisabled());
 
   for (const landmark of landmarks.slice(2)) {
     await page.getByRole("button", { name: landmark.name, exact: true }).click();
-    await clickAt(page, await onPage(page, landmark.pixel));
+    await clickImage(page, landmark.pixel);
   }
   const residual = async ({ name }) => Number(/([\d.]+) px/.exec(await textOf(row(page, name)))?.[1] ?? NaN);
   const all = () => Promise.all(landmarks.map(residual));

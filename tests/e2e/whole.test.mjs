@@ -209,8 +209,8 @@ test("a plot and the decisions show the whole recording at once; what is not loa
     "the skills of the whole recording",
   );
   await shoot(page, "whole-decision");
-  const place = await strip.boundingBox();
-  await page.mouse.click(place.x + 0.75 * place.width, place.y + 12);
+  const { width } = await strip.boundingBox();
+  await strip.click({ position: { x: 0.75 * width, y: 12 } }); // waits until the tree above it has grown
   await until(async () => near(await elapsed(page), 0.75 * kSeconds, 5), "the moment that was pressed");
   assert.deepEqual(problems, []);
 });

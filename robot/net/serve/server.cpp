@@ -34,7 +34,6 @@ using Timer = asio::basic_waitable_timer<std::chrono::steady_clock, asio::wait_t
                                          asio::io_context::executor_type>;
 
 constexpr auto kTick = std::chrono::milliseconds(100);  // Time frames go out at 10 Hz
-constexpr std::uint64_t kStopTimeout = kSecond / 2;     // for goodbyes when the server stops
 
 /// Ends a connection at once and discards its unsent data.
 void reset(Socket& socket) {
@@ -350,7 +349,7 @@ void Server::Core::stop() {
 }
 
 void Server::Core::begin_stop() {
-  stop_deadline_ns_ = monotonic_ns() + kStopTimeout;
+  stop_deadline_ns_ = monotonic_ns() + options_.stop_timeout_ns;
   error_code ignored;
   for (const auto& acceptor : acceptors_) acceptor->close(ignored);
   for (const auto& connection : std::vector(context_.http.begin(), context_.http.end())) connection->close();

@@ -37,6 +37,7 @@ struct ServerOptions {
   std::uint64_t request_timeout_ns = 10 * kSecond;  // for a whole request header, also the first of a new connection
   std::uint64_t idle_timeout_ns = 30 * kSecond;     // between two requests, and while a write makes no progress
   std::uint64_t close_timeout_ns = 5 * kSecond;     // for the goodbye of a WebSocket
+  std::uint64_t stop_timeout_ns = kSecond / 2;      // for the goodbyes of all WebSockets when the server stops
 
   std::span<const Asset> assets = {kViewerAssets, kViewerAssetCount};
 };
