@@ -1,6 +1,6 @@
-// bench_walk CASE FIRST_SEED ROBOTS [LIBRARY]: lets drawn robots of both servo classes walk, be pushed or stop, and prints
-// one line of JSON. LIBRARY has another walk (tests/walk/foresight_walk.h). Falls are those of robots nobody tuned on, if
-// no one has used the seeds before.
+// bench_walk CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...]: lets drawn robots of both servo classes walk, be pushed or stop, and prints
+// one line of JSON. LIBRARY has another walk (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours. Falls
+// are those of robots nobody tuned on, if no one has used the seeds before.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,9 +11,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "robot/core/result.h"
+#include "robot/nao/walk/named_parameters.h"
 #include "tests/walk/dice.h"
 #include "tests/walk/foreign_walk.h"
 #include "tests/walk/our_gait.h"
@@ -274,7 +278,23 @@ int refuse(const std::string& sentence) {
 std::string usage(const std::string& got) {
   std::string names;
   for (const auto& [name, one] : cases()) names.append(names.empty() ? "" : ", ").append(name);
-  return "expected CASE FIRST_SEED ROBOTS [LIBRARY], or cost; cases are " + names + "; got '" + got + "'";
+  return "expected CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...], or cost; cases are " + names + "; got '" + got +
+         "'";
+}
+
+/// Changes parameters by words such as "lift=0.02".
+robot::Result<void> change(Parameters& parameters, std::span<char*> words) {
+  for (const std::string word : words) {
+    const std::size_t middle = word.find('=');
+    const auto named = std::ranges::find(kNamedParameters, word.substr(0, middle), &NamedParameter::name);
+    const std::string number = middle == std::string::npos ? "" : word.substr(middle + 1);
+    char* end = nullptr;
+    const double value = std::strtod(number.c_str(), &end);
+    if (named == std::end(kNamedParameters) || number.empty() || *end != 0 || !std::isfinite(value))
+      return robot::Error{"expected NAME=VALUE with a name of robot/nao/walk/parameters.h, got '" + word + "'"};
+    parameters.*named->place = value;
+  }
+  return {};
 }
 
 }  // namespace
@@ -286,11 +306,14 @@ int main(int count, char** words) {
     return 0;
   }
   const auto found = cases().find(name);
-  const int robots = count == 4 || count == 5 ? std::atoi(words[3]) : 0;
+  const int robots = count >= 4 ? std::atoi(words[3]) : 0;
   if (found == cases().end() || robots < 1) return refuse(usage(name));
   const std::uint64_t first_seed = std::strtoull(words[2], nullptr, 10);
-  if (count == 4) {
-    std::printf("%s\n", played(found->second, ours(found->second.parameters), first_seed, robots).dump().c_str());
+  const bool is_library = count == 5 && std::string_view(words[4]).find('=') == std::string_view::npos;
+  if (!is_library) {
+    Parameters parameters = found->second.parameters;
+    if (const auto changed = change(parameters, {words + 4, words + count}); !changed) return refuse(changed.error());
+    std::printf("%s\n", played(found->second, ours(parameters), first_seed, robots).dump().c_str());
     return 0;
   }
   const auto library = ForeignWalk::load(words[4]);

@@ -41,6 +41,11 @@ struct Summit {
   double unlikely = INFINITY;  // minus the logarithm of the likelihood
 };
 
+/// Returns minus the logarithm of a kick's likelihood.
+double unlikelihood(const TrackedKick& kick, const KickModel& model, const KickSight& sight) {
+  return -std::log(kLeastDensity + model.density(kick, sight.spread, sight.slowest));
+}
+
 /// Climbs from a start. The probability of partial hits may be fixed.
 Summit climbed(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen, const KickSight& sight,
                const KickModel& start, bool fixes_partial = false) {
@@ -48,8 +53,7 @@ Summit climbed(const std::vector<TrackedKick>& kicks, const std::vector<std::siz
     const KickModel model = model_of(p);
     if (!is_possible(model)) return static_cast<double>(INFINITY);
     double sum = 0;
-    for (const std::size_t i : chosen)
-      sum -= std::log(kLeastDensity + model.density(kicks[i], sight.spread, sight.slowest));
+    for (const std::size_t i : chosen) sum += unlikelihood(kicks[i], model, sight);
     return sum;
   };
   const double inwards = start.partial > 0.5 ? -0.08 : 0.08, aside = fixes_partial ? 0 : inwards;
@@ -119,6 +123,22 @@ PartialInterval partial_interval(const std::vector<TrackedKick>& kicks, const st
 KickModel refit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen,
                      const KickSight& sight, const KickModel& near) {
   return climbed(kicks, chosen, sight, near).model;
+}
+
+double likeliest_speed(const std::vector<TrackedKick>& kicks, const KickModel& model, const KickSight& sight) {
+  constexpr double kFactor = 2.5, kCoarse = 1.08, kFine = 1.01;  // the likelihood may have several summits
+  double least = INFINITY, best = model.speed;
+  const auto search = [&](double from, double to, double factor) {
+    for (KickModel one = model; from <= to; from *= factor) {
+      one.speed = from;
+      double sum = 0;
+      for (const TrackedKick& kick : kicks) sum += unlikelihood(kick, one, sight);
+      if (sum < least) least = sum, best = from;
+    }
+  };
+  search(model.speed / kFactor, model.speed * kFactor, kCoarse);
+  search(best / kCoarse, best * kCoarse, kFine);
+  return best;
 }
 
 }  // namespace robot::fit

@@ -47,4 +47,8 @@ PartialInterval partial_interval(const std::vector<TrackedKick>& kicks, const st
 KickModel refit_kick(const std::vector<TrackedKick>& kicks, const std::vector<std::size_t>& chosen,
                      const KickSight& sight, const KickModel& near);
 
+/// Returns the speed [m/s] of a full hit under which the kicks are likeliest, between 0.4 and 2.5 times that of the model, to 1 %.
+/// All other parameters are those of the model.
+double likeliest_speed(const std::vector<TrackedKick>& kicks, const KickModel& model, const KickSight& sight);
+
 }  // namespace robot::fit

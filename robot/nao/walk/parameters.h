@@ -79,9 +79,12 @@ struct Parameters {
   double kick_over = 0.9;      // [kick_period] it is at its place
 
   // servos
-  double lag_share = 0.57;   // of the servos' lag that is led
-  double lag_most = 0.09;    // [s]
-  double lead_most = 0.098;  // [rad]
+  double lag_share = 0.57;     // of the servos' lag that is led
+  double lag_most = 0.09;      // [s]
+  double lead_most = 0.098;    // [rad]
+  double sag_learning = 0.01;  // share of the error of a carrying leg in its sag, in each tick
+  double sag_most = 0.12;      // [rad]
+  double sag_rise = 0.4;       // [period] the new support leg is raised until then, the other is let down
 
   // standing
   double stand_forward = 0.05;  // [m] error that starts steps

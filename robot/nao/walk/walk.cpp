@@ -47,7 +47,8 @@ Legs stand(const Parameters& parameters) {
   return reach({sole, sole}, 0, 0);
 }
 
-Walk::Walk(const Parameters& parameters) : parameters_(parameters), balance_(parameters_), servos_(parameters_) {}
+Walk::Walk(const Parameters& parameters)
+    : parameters_(parameters), balance_(parameters_), lag_(parameters_), sag_(parameters_) {}
 
 const Legs& Walk::tick(const Sensors& sensors, const Command& command, double dt) {
   feel(sensors, dt);
@@ -265,6 +266,16 @@ void Walk::close_feet(double dt) {
   }
 }
 
+/// Returns the shares of the weight that the legs carry by plan.
+std::array<double, 2> Walk::carried() const {
+  std::array<double, 2> weights{0.5, 0.5};
+  if (!stepping_) return weights;
+  const double from = count_ == 0 ? 0.5 : 0, share = smooth(phase() / parameters_.sag_rise);
+  weights[other(swing_)] = from + (1 - from) * share;
+  weights[swing_] = 1 - weights[other(swing_)];
+  return weights;
+}
+
 /// Turns the places of the feet into angles of the joints.
 void Walk::pose(const Sensors& sensors, double dt) {
   const Parameters& p = parameters_;
@@ -276,11 +287,16 @@ void Walk::pose(const Sensors& sensors, double dt) {
   const Legs plan = reach(soles, 0, hip_yaw_pitch_);
   hip_yaw_pitch_ = plan[left][hip_yaw_pitch];
 
-  if (stepping_) servos_.see(sensors.joints, plan, swing_, dt);
-  targets_ = stepping_ ? servos_.led(plan, dt) : servos_.unled(plan);
+  if (stepping_) lag_.see(sensors.joints, plan, swing_, dt);
+  const std::array<double, 2> weights = carried();
+  if (stepping_) sag_.see(sensors.joints, weights);
+  targets_ = stepping_ ? lag_.led(plan, dt) : lag_.unled(plan);
   std::array<double, 2> supports{0.5, 0.5};
   if (stepping_) supports[swing_] = 0, supports[other(swing_)] = 1;
+  Legs places = plan;
+  balance_.steady(supports, places);
   balance_.steady(supports, targets_);
+  sag_.raise(places, weights, targets_);
 }
 
 }  // namespace robot::nao::walk

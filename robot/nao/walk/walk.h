@@ -14,6 +14,7 @@
 #include "robot/nao/walk/parameters.h"
 #include "robot/nao/walk/sensors.h"
 #include "robot/nao/walk/servo_lag.h"
+#include "robot/nao/walk/servo_sag.h"
 
 namespace robot::nao::walk {
 
@@ -63,6 +64,7 @@ class Walk {
   void catch_fall(const Tipping& error, double dt);
   void move_feet();
   void close_feet(double dt);
+  std::array<double, 2> carried() const;
   void pose(const Sensors& sensors, double dt);
   double period() const { return kick_ == KickStep::none ? parameters_.period : parameters_.kick_period; }
   double phase() const { return time_ / period(); }
@@ -71,7 +73,8 @@ class Walk {
 
   const Parameters parameters_;
   Balance balance_;
-  ServoLag servos_;
+  ServoLag lag_;
+  ServoSag sag_;
 
   // the step
   bool stepping_ = false;

@@ -179,6 +179,27 @@ TEST(CheckKicks, RightModelsAreInsideAndFartherOnesAreNot) {
     inside += count_outside(right) == 0 ? 1 : 0;
     const auto wrong = fit::check_kicks({seen}, far, missing);
     flagged += count_outside({*statistic_in(wrong, "kick forward: mean distance")});
+    flagged += count_outside({*statistic_in(wrong, "kick forward: likeliest range of full hits")});
+  }
+  EXPECT_GE(inside, 5u);
+  EXPECT_EQ(flagged, 12u);
+}
+
+TEST(CheckKicks, ARangeThatIsTooLongIsSeenAmongPartialHits) {
+  std::size_t inside = 0, flagged = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    PlantedKicks planted{.kicks = 60};
+    planted.model.partial = 0.95;
+    const sim::Models models = kicking_models(planted);
+    sim::Models far = models;
+    far.motion.kicks[0].range *= 1.5f;
+    const fit::KickFit seen = tracked_kicks(planted, models, seed);
+    std::vector<std::string> missing;
+    const auto right = fit::check_kicks({seen}, models, missing);
+    inside += count_outside(right) == 0 ? 1 : 0;
+    EXPECT_NEAR(statistic_in(right, "kick forward: likeliest range of full hits")->recorded,
+                models.motion.kicks[0].range, 1);
+    flagged += count_outside(fit::check_kicks({seen}, far, missing)) > 0 ? 1 : 0;
   }
   EXPECT_GE(inside, 5u);
   EXPECT_EQ(flagged, 6u);

@@ -95,6 +95,18 @@ TEST(KickModel, ItsDensityHasTheIntegralOne) {
   }
 }
 
+TEST(KickModel, TheLikeliestSpeedIsThatOfFullHitsWhateverTheModelStartsWith) {
+  const KickModel planted{.speed = 1.5, .range_deviation = 0.1, .direction_deviation = 0.1, .partial = 0.3};
+  std::vector<TrackedKick> kicks;
+  for (int i = 1; i < 20; ++i) kicks.push_back({.speed = 1.5 + 0.01 * (i - 10)});
+  for (int i = 1; i < 8; ++i) kicks.push_back({.speed = 0.2 * i});
+  for (const double start : {0.8, 1.5, 3.}) {
+    KickModel model = planted;
+    model.speed = start;
+    EXPECT_NEAR(likeliest_speed(kicks, model, {.spread = 3, .slowest = 0.1}), 1.5, 0.03) << start;
+  }
+}
+
 TEST(KickFit, FindsFullHits) {
   const auto fit = fitted({}, 4);
   ASSERT_TRUE(fit) << fit.error();
