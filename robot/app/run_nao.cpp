@@ -49,7 +49,8 @@ Result<void> run_nao(const RobotOptions& options) {
       options.nao_config.empty() ? body::NaoConfig() : body::read_nao_config(options.nao_config);
   if (!config) return config.failure();
   const body::NaoOptions nao{.link = options.guardian.empty() ? nao::default_link() : options.guardian,
-                             .calibration = config->calibration};
+                             .calibration = config->calibration,
+                             .walk = config->walk};
   if (const std::string taken = options.plan ? "" : whose_it_is(nao, *config); !taken.empty()) {
     report(Level::warning, "nao", taken + "; going on as body attached");
     RobotOptions beside = options;

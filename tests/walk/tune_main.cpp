@@ -1,5 +1,5 @@
-// tune_walk FIRST_SEED GENERATIONS ROBOTS: searches the parameters of the walk by CMA-ES on drawn robots. Each generation
-// meets robots of its own. Prints the mean of each generation, as lines for parameters.h.
+// tune_walk WHAT FIRST_SEED GENERATIONS ROBOTS: searches parameters by CMA-ES on drawn robots. WHAT is "steps" or "kicks".
+// Each generation meets robots of its own. Prints the mean of each generation, as words for bench_walk.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +7,9 @@
 #include <cstdlib>
 #include <memory>
 #include <numbers>
+#include <span>
+#include <string_view>
+#include <thread>
 
 #include "sim/learn/cma.h"
 #include "tests/walk/dice.h"
@@ -23,7 +26,7 @@ struct Knob {
   double least, most;
 };
 
-constexpr Knob kKnobs[] = {
+constexpr Knob kStepKnobs[] = {
     {"period", &Parameters::period, 0.23, 0.33},
     {"hip_height", &Parameters::hip_height, 0.205, 0.228},
     {"ahead", &Parameters::ahead, 0, 0.025},
@@ -47,51 +50,101 @@ constexpr Knob kKnobs[] = {
     {"catch_speed", &Parameters::catch_speed, 0.3, 1.5},
     {"fights_from", &Parameters::fights_from, 0.015, 0.06},
     {"calm_share", &Parameters::calm_share, 0.1, 0.8},
+    {"smoothing", &Parameters::smoothing, 0, 0.7},
+    {"lookahead", &Parameters::lookahead, 0, 3},
+    {"side_speed", &Parameters::side_speed, 0.5, 1.5},
+    {"counter_most", &Parameters::counter_most, 0.05, 0.15},
+    {"learning", &Parameters::learning, 0.03, 0.25},
+    {"sag_learning", &Parameters::sag_learning, 0.002, 0.03},
+    {"sag_rise", &Parameters::sag_rise, 0.1, 1},
     {"slip", &Parameters::slip, 0, 0.25},
     {"lag_share", &Parameters::lag_share, 0.2, 1},
     {"lead_most", &Parameters::lead_most, 0.04, 0.2},
 };
-constexpr std::size_t kNumber = std::size(kKnobs);
+constexpr Knob kKickKnobs[] = {
+    {"kick_period", &Parameters::kick_period, 0.25, 0.5},  {"kick_back", &Parameters::kick_back, 0, 0.06},
+    {"kick_ahead", &Parameters::kick_ahead, 0.06, 0.2},    {"kick_from", &Parameters::kick_from, 0.05, 0.5},
+    {"kick_contact", &Parameters::kick_contact, 0.3, 0.8}, {"kick_over", &Parameters::kick_over, 0.6, 1},
+};
 constexpr double kPart = 10;  // a search step of 1 is this part of a knob's range
 
-Parameters at(const sim::learn::Vector& point) {
+Parameters at(std::span<const Knob> knobs, const sim::learn::Vector& point) {
   Parameters parameters;
-  for (std::size_t i = 0; i < kNumber; ++i) {
-    const Knob& knob = kKnobs[i];
+  for (std::size_t i = 0; i < knobs.size(); ++i) {
+    const Knob& knob = knobs[i];
     const double start = Parameters{}.*knob.place, unit = (knob.most - knob.least) / kPart;
     parameters.*knob.place = std::clamp(start + unit * point[i], knob.least, knob.most);
   }
   return parameters;
 }
 
-/// Lets robots walk, be pushed and obey quick commands. Falls cost most, earlier ones more; then missing speed.
+/// Lets robots walk on carpet and turf, also late ones, be pushed and obey quick commands. Falls cost most, earlier ones
+/// more; then missing speed.
 class Judge {
  public:
   Judge() {
+    for (const bool turf : {false, true})
+      for (const bool about_origin : {false, true})
+        physics_[turf][about_origin] = std::make_unique<Physics>(Scene{.turf = turf, .about_origin = about_origin});
     for (const bool about_origin : {false, true})
-      physics_[about_origin] = std::make_unique<Physics>(Scene{.about_origin = about_origin});
+      with_ball_[about_origin] = std::make_unique<Physics>(Scene{.ball = true, .about_origin = about_origin});
   }
 
-  double cost(const Parameters& parameters, std::uint64_t first_seed, int robots) {
+  /// The cost of kicks: falls, missed balls and slow ones.
+  double cost_of_kicks(const Parameters& parameters, std::uint64_t first_seed, int robots) {
+    double sum = 0;
+    for (int i = 0; i < 2 * robots; ++i) {
+      const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i / 2);
+      const DrawnRobot robot = draw_robot(seed, i % 2 == 0 ? Servos::stiff : Servos::soft);
+      Dice dice(seed);
+      const Side foot = seed % 2 == 0 ? left : right;
+      const auto kick = [=](double now) {
+        Command command{.forward = now < 0.5 ? 0 : 0.1, .foot = foot};
+        if (now > 2.5 && now < 3.05) command.kick = KickStep::forward;
+        return command;
+      };
+      OurGait gait(parameters);
+      const Outcome outcome = robot::nao::walk::run(
+          *with_ball_[robot.about_origin], gait, robot, seed, stand(parameters), parameters.hip_height,
+          {.duration = 5.5,
+           .command = kick,
+           .pushes = {},
+           .with_ball = true,
+           .ball_ahead = 0.17 + 0.015 * (2 * dice.uniform() - 1),
+           .ball_left = sign_of(foot) * (0.05 + 0.015 * (2 * dice.uniform() - 1))});
+      sum += 5 * fall(outcome, 5.5) + std::max(0.0, 1.5 - outcome.ball_speed) + (outcome.ball_speed < 0.2 ? 1 : 0);
+    }
+    return sum / robots;
+  }
+
+  double cost_of_steps(const Parameters& parameters, std::uint64_t first_seed, int robots) {
     double sum = 0;
     for (int i = 0; i < robots; ++i) {
       const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
-      const Servos servos = i % 2 == 0 ? Servos::stiff : Servos::soft;
+      const DrawnRobot robot = draw_robot(seed, i % 2 == 0 ? Servos::stiff : Servos::soft);
       Dice dice(seed);
-      const Outcome walk = run(parameters, servos, seed, 14, [](double) { return Command{.forward = 0.2}; }, {});
-      const double speed = walk.measured > 0 ? walk.forward / walk.measured : 0;
-      sum += fall(walk, 14) + 4 * std::max(0.0, 0.19 - speed) / 0.19;
-      for (int push = 0; push < 2; ++push) {
-        const double when = 2.5 + dice.uniform(), direction = 2 * std::numbers::pi * dice.uniform();
-        sum += fall(run(parameters, servos, seed, 6.5, [](double) { return Command{.forward = 0.15}; },
-                        {{when, 1.8, direction}}),
-                    6.5);
+      DrawnRobot hard = robot;
+      if (i / 2 % 2 == 0)
+        hard.delay += 0.02;
+      else
+        hard.turf = 0.008;
+      for (const DrawnRobot& one : {robot, hard}) {
+        const Outcome walk = run(parameters, one, seed, 12, [](double) { return Command{.forward = 0.2}; }, {});
+        sum += fall(walk, 12) + missing(walk, walk.forward, 0.19);
       }
-      std::array<Command, 6> commands;
+      const Outcome side = run(parameters, robot, seed, 7, [](double) { return Command{.left = 0.1}; }, {});
+      sum += fall(side, 7) + missing(side, side.left, 0.09);
+      for (int push = 0; push < 3; ++push) {
+        const double when = 2.5 + dice.uniform(), direction = 2 * std::numbers::pi * dice.uniform();
+        sum += fall(
+            run(parameters, robot, seed, 6, [](double) { return Command{.forward = 0.15}; }, {{when, 1.8, direction}}),
+            6);
+      }
+      std::array<Command, 5> commands;
       for (Command& command : commands)
         command = {-0.1 + 0.3 * dice.uniform(), -0.1 + 0.2 * dice.uniform(), -0.8 + 1.6 * dice.uniform()};
       const auto now = [&](double time) { return commands[static_cast<std::size_t>(time / 2) % commands.size()]; };
-      sum += 2 * fall(run(parameters, servos, seed, 12, now, {}), 12);
+      sum += 2 * fall(run(parameters, robot, seed, 10, now, {}), 10);
     }
     return sum / robots;
   }
@@ -99,39 +152,57 @@ class Judge {
  private:
   static double fall(const Outcome& outcome, double duration) { return outcome.fell ? 2 - outcome.time / duration : 0; }
 
-  Outcome run(const Parameters& parameters, Servos servos, std::uint64_t seed, double duration,
+  /// Returns the cost of a way that is too short for `speed` [m/s].
+  static double missing(const Outcome& outcome, double way, double speed) {
+    return 4 * std::max(0.0, 1 - (outcome.measured > 0 ? way / outcome.measured : 0) / speed);
+  }
+
+  Outcome run(const Parameters& parameters, const DrawnRobot& robot, std::uint64_t seed, double duration,
               const std::function<Command(double)>& command, std::vector<Push> pushes) {
-    const DrawnRobot robot = draw_robot(seed, servos);
     OurGait gait(parameters);
-    return robot::nao::walk::run(*physics_[robot.about_origin], gait, robot, seed, stand(parameters),
+    return robot::nao::walk::run(*physics_[robot.turf > 0][robot.about_origin], gait, robot, seed, stand(parameters),
                                  parameters.hip_height,
                                  {.duration = duration, .command = command, .pushes = std::move(pushes)});
   }
 
-  std::array<std::unique_ptr<Physics>, 2> physics_;
+  std::array<std::array<std::unique_ptr<Physics>, 2>, 2> physics_;  // by turf, by the reading of the inertias
+  std::array<std::unique_ptr<Physics>, 2> with_ball_;               // by the reading of the inertias
 };
 
 }  // namespace
 
 int main(int count, char** words) {
-  const int generations = count == 4 ? std::atoi(words[2]) : 0, robots = count == 4 ? std::atoi(words[3]) : 0;
-  if (generations < 1 || robots < 2) {
-    std::fprintf(stderr, "tune_walk: expected FIRST_SEED GENERATIONS ROBOTS, with at least 1 generation of 2 robots\n");
+  const std::string_view what = count == 5 ? words[1] : "";
+  const int generations = count == 5 ? std::atoi(words[3]) : 0, robots = count == 5 ? std::atoi(words[4]) : 0;
+  if ((what != "steps" && what != "kicks") || generations < 1 || robots < 2) {
+    std::fprintf(
+        stderr,
+        "tune_walk: expected WHAT FIRST_SEED GENERATIONS ROBOTS, with 'steps' or 'kicks' and at least 1 generation "
+        "of 2 robots\n");
     return 2;
   }
-  const std::uint64_t first_seed = std::strtoull(words[1], nullptr, 10);
-  sim::learn::Cma search(sim::learn::Vector(kNumber, 0.0), 0.7, 12, first_seed);
-  Judge judge;
+  const std::span<const Knob> knobs = what == "steps" ? std::span<const Knob>(kStepKnobs) : kKickKnobs;
+  const auto cost = what == "steps" ? &Judge::cost_of_steps : &Judge::cost_of_kicks;
+  const std::uint64_t first_seed = std::strtoull(words[2], nullptr, 10);
+  sim::learn::Cma search(sim::learn::Vector(knobs.size(), 0.0), 0.7, 16, first_seed);
+  std::array<Judge, 2> judges;  // one for each thread
   for (int generation = 0; generation < generations; ++generation) {
-    std::vector<double> costs;
-    for (const auto& point : search.ask())
-      costs.push_back(judge.cost(at(point), first_seed + static_cast<std::uint64_t>(generation) * 1000, robots));
+    const auto points = search.ask();
+    std::vector<double> costs(points.size());
+    const auto judge = [&](std::size_t thread) {
+      for (std::size_t i = thread; i < points.size(); i += judges.size())
+        costs[i] = (judges[thread].*cost)(at(knobs, points[i]),
+                                          first_seed + static_cast<std::uint64_t>(generation) * 1000, robots);
+    };
+    std::thread second([&] { judge(1); });
+    judge(0);
+    second.join();
     search.tell(costs);
-    const Parameters mean = at(search.mean());
+    const Parameters mean = at(knobs, search.mean());
     std::printf("// generation %d: best %.3f, worst %.3f, deviation %.3f\n", generation,
                 *std::min_element(costs.begin(), costs.end()), *std::max_element(costs.begin(), costs.end()),
                 search.deviation());
-    for (const Knob& knob : kKnobs) std::printf("%s=%.4g ", knob.name, mean.*knob.place);
+    for (const Knob& knob : knobs) std::printf("%s=%.4g ", knob.name, mean.*knob.place);
     std::puts("");
     std::fflush(stdout);
   }

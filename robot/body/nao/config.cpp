@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "robot/core/files.h"
 #include "robot/core/text.h"
+#include "robot/nao/walk/named_parameters.h"
 
 namespace robot::body {
 namespace {
 
 constexpr double kGreatestOffset_deg = 20, kGreatestPixels = 5000, kGreatestControl = 1'000'000;
+constexpr double kWalkFactor = 4;  // a parameter of the walk farther from its default is a mistake
 constexpr std::size_t kMaxBytes = 65536;
 
 /// Name and value of one line of the file.
@@ -31,8 +34,7 @@ Result<void> read_number(const Line& line, double low, double high, double unit,
   char* end = nullptr;
   const double value = std::strtod(line.value.c_str(), &end);
   if (end == line.value.c_str() || *end != '\0' || !(value >= low && value <= high))
-    return wrong(line,
-                 "a number " + std::to_string(static_cast<int>(low)) + " .. " + std::to_string(static_cast<int>(high)));
+    return wrong(line, formatted("a number %.7g .. %.7g", low, high));
   number = value * unit;
   return {};
 }
@@ -76,6 +78,14 @@ Result<void> read_camera(const Line& line, const std::string& name, nao::CameraS
   return {};
 }
 
+Result<void> read_walk(const Line& line, const std::string& name, nao::walk::Parameters& walk) {
+  const auto named = std::ranges::find(nao::walk::kNamedParameters, name, &nao::walk::NamedParameter::name);
+  if (named == std::end(nao::walk::kNamedParameters))
+    return Error{"nao config: there is no '" + line.name.substr(0, 60) + "'"};
+  const double usual = nao::walk::Parameters{}.*named->place;
+  return read_number(line, usual / kWalkFactor, usual * kWalkFactor, 1, walk.*named->place);
+}
+
 Result<void> read_line(const Line& line, NaoConfig& config) {
   const std::size_t dot = line.name.find('.');
   const std::string whose = line.name.substr(0, dot), name = dot == std::string::npos ? "" : line.name.substr(dot + 1);
@@ -83,6 +93,7 @@ Result<void> read_line(const Line& line, NaoConfig& config) {
   if (whose == "camera_top") return read_camera(line, name, config.top, calibration.top, config.top_projection);
   if (whose == "camera_bottom")
     return read_camera(line, name, config.bottom, calibration.bottom, config.bottom_projection);
+  if (whose == "walk") return read_walk(line, name, config.walk);
   if (line.name == "body.roll_deg") return read_angle(line, calibration.body_roll);
   if (line.name == "body.pitch_deg") return read_angle(line, calibration.body_pitch);
   return Error{"nao config: there is no '" + line.name.substr(0, 60) + "'"};

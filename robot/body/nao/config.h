@@ -1,4 +1,4 @@
-// Settings of one robot: mounting of head and torso, devices and controls of the cameras.
+// Settings of one robot: mounting of head and torso, devices and controls of the cameras, numbers of the walk.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include "robot/core/result.h"
 #include "robot/nao/camera/video_capture.h"
 #include "robot/nao/model/kinematics.h"
+#include "robot/nao/walk/parameters.h"
 
 namespace robot::body {
 
@@ -22,6 +23,7 @@ struct NaoConfig {
   nao::Calibration calibration;
   nao::CameraSettings top, bottom;
   Projection top_projection, bottom_projection;
+  nao::walk::Parameters walk;
 
   /// Defaults of the V6: /dev/video-top, mounted upside down, /dev/video-bottom, and the usual first controls of teams.
   NaoConfig();
@@ -33,12 +35,14 @@ struct NaoConfig {
 ///   body.pitch_deg = 1.5
 ///   camera_top.tilt_deg = -0.3
 ///   camera_top.control.gain = 40
+///   walk.period = 0.26
 ///
 /// The names are body.roll_deg and body.pitch_deg; for each of camera_top and camera_bottom:
 /// - device (a path), turned (yes or no);
 /// - roll_deg, tilt_deg, pan_deg;
 /// - focal_x, focal_y, centre_x, centre_y [px];
-/// - control.NAME, with a name of control_id().
+/// - control.NAME, with a name of control_id();
+/// and walk.NAME for each of robot/nao/walk/parameters.h, between a quarter of its default and four times that.
 ///
 /// Missing settings keep the values of NaoConfig(). Returns an Error that names the wrong line. Pure.
 Result<NaoConfig> parse_nao_config(std::string_view text);

@@ -41,7 +41,7 @@ NaoBody::NaoBody(NaoOptions options, memory::Memory& memory, const SessionClock&
       memory_(memory),
       clock_(clock),
       kinematics_(options_.calibration),
-      motion_(kinematics_) {}
+      motion_(kinematics_, options_.walk) {}
 
 Result<void> NaoBody::start() {
   return start_thread(thread_, "nao", [this] { run(); });

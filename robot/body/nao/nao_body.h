@@ -24,6 +24,7 @@ namespace robot::body {
 struct NaoOptions {
   std::filesystem::path link;  // to the guardian, such as default_link()
   nao::Calibration calibration;
+  nao::walk::Parameters walk;
 };
 
 /// The body, with a thread that each report of the guardian wakes. Without a guardian it tries to connect once a

@@ -25,7 +25,8 @@ class Motion {
   static constexpr float kHeadSpeed = 3;                            // [rad/s] if the command has no speed
   static constexpr float kHeadStiffness = 0.6f;                     // [0..1]
 
-  explicit Motion(Kinematics kinematics = Kinematics()) : kinematics_(kinematics) {}
+  explicit Motion(Kinematics kinematics = Kinematics(), const walk::Parameters& parameters = {})
+      : kinematics_(kinematics), legs_(parameters) {}
 
   /// Returns the order for the cycle after `report`. `command` is the newest one, `command_age_ns` old, or null before
   /// the first. `game` is the GameController's state, or null without one.

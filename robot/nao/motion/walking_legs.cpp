@@ -42,14 +42,14 @@ void WalkingLegs::drive(const Report& report, const walk::Command& command, floa
 /// Moves the legs to the stand of the walk. Returns true when they are there.
 bool WalkingLegs::take_over(const Report& report, float dt) {
   if (!walk_) {
-    walk_.emplace();
+    walk_.emplace(parameters_);
     from_ = legs_of(report.commanded);
     taken_ = 0;
   }
   if (taken_ >= kTakeOver) return true;
   taken_ += dt;
   const double part = std::min(taken_ / kTakeOver, 1.0f), smooth = part * part * (3 - 2 * part);
-  const walk::Legs stand = walk::stand();
+  const walk::Legs stand = walk::stand(parameters_);
   for_each_leg_joint([&](walk::Side side, std::size_t joint, Joint) {
     targets_[side][joint] = from_[side][joint] + smooth * (stand[side][joint] - from_[side][joint]);
   });

@@ -15,6 +15,8 @@ namespace robot::nao {
 /// obey it. Pure; used by one thread.
 class WalkingLegs {
  public:
+  explicit WalkingLegs(const walk::Parameters& parameters = {}) : parameters_(parameters), odometry_(parameters) {}
+
   static constexpr float kTakeOver = 0.6f;   // [s] from the guardian's stand to that of the walk
   static constexpr float kStiffness = 0.9f;  // [0..1] of the legs
 
@@ -37,8 +39,9 @@ class WalkingLegs {
  private:
   bool take_over(const Report& report, float dt);
 
+  const walk::Parameters parameters_;
   std::optional<walk::Walk> walk_;  // nothing: the legs belong to the guardian
-  walk::Odometry odometry_{{}};
+  walk::Odometry odometry_;
   walk::Legs from_{}, targets_{};
   float taken_ = 0;  // [s] since the beginning of the take-over
   bool stops_ = false;

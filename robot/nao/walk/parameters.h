@@ -29,9 +29,9 @@ struct Parameters {
   double lookahead = 0.5;       // [ticks] the share is predicted for this time
 
   // angles and rates of the torso, fed back to the support leg
-  double smoothing = 0.5;              // [0..1] share of the old value in the low pass of the gyroscope
-  double rate_to_ankle_pitch = 0.096;  // [rad s/rad]
-  double rate_to_ankle_roll = 0.031;   // likewise
+  double smoothing = 0.3;              // [0..1] share of the old value in the low pass of the gyroscope
+  double rate_to_ankle_pitch = 0.075;  // [rad s/rad]
+  double rate_to_ankle_roll = 0.02;    // likewise
   double rate_to_hip_pitch = 0.085;    // likewise
   double tilt_to_ankle_pitch = 0.21;   // [rad/rad]
   double tilt_to_ankle_roll = 0.062;   // likewise
@@ -39,7 +39,7 @@ struct Parameters {
   // steps that catch a fall
   double com_height = 0.27;           // [m] of the centre of mass, for the pendulum
   double catch_forward = 0.46;        // [m/m] shift of the swing foot per error of the capture point
-  double catch_forward_from = 0.018;  // [m] smaller errors have no effect
+  double catch_forward_from = 0.025;  // [m] smaller errors have no effect
   double catch_forward_most = 0.079;  // [m]
   double catch_side = 0.63;
   double catch_side_from = 0.019;

@@ -267,8 +267,8 @@ void Walk::close_feet(double dt) {
 }
 
 /// Returns the shares of the weight that the legs carry by plan.
-std::array<double, 2> Walk::carried() const {
-  std::array<double, 2> weights{0.5, 0.5};
+HipSag::Weights Walk::carried() const {
+  HipSag::Weights weights{0.5, 0.5};
   if (!stepping_) return weights;
   const double from = count_ == 0 ? 0.5 : 0, share = smooth(phase() / parameters_.sag_rise);
   weights[other(swing_)] = from + (1 - from) * share;
@@ -288,15 +288,13 @@ void Walk::pose(const Sensors& sensors, double dt) {
   hip_yaw_pitch_ = plan[left][hip_yaw_pitch];
 
   if (stepping_) lag_.see(sensors.joints, plan, swing_, dt);
-  const std::array<double, 2> weights = carried();
+  const HipSag::Weights weights = carried();
   if (stepping_) sag_.see(sensors.joints, weights);
   targets_ = stepping_ ? lag_.led(plan, dt) : lag_.unled(plan);
   std::array<double, 2> supports{0.5, 0.5};
   if (stepping_) supports[swing_] = 0, supports[other(swing_)] = 1;
-  Legs places = plan;
-  balance_.steady(supports, places);
   balance_.steady(supports, targets_);
-  sag_.raise(places, weights, targets_);
+  sag_.raise(plan, weights, targets_);
 }
 
 }  // namespace robot::nao::walk

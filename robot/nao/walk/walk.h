@@ -3,18 +3,18 @@
 // The robot walks by lifting its feet in turns, without a commanded sway: the body is a pendulum that falls from one foot
 // to the other. The weight on the feet, not a clock, ends each step. The torso's tilt and rates correct the support leg,
 // and the swing foot steps to where the body tips. Ideas: Walk2014 of rUNSWift (Hengst), B-Human's documentation of
-// their walk, and HULKs' issues. The learned course of the error, the measured lag of the servos and the governor are
-// our own.
+// their walk, and HULKs' issues. The learned course of the error, the measured lag and sag of the servos and the governor
+// are our own.
 #pragma once
 
 #include <array>
 
 #include "robot/nao/walk/balance.h"
+#include "robot/nao/walk/hip_sag.h"
 #include "robot/nao/walk/legs.h"
 #include "robot/nao/walk/parameters.h"
 #include "robot/nao/walk/sensors.h"
 #include "robot/nao/walk/servo_lag.h"
-#include "robot/nao/walk/servo_sag.h"
 
 namespace robot::nao::walk {
 
@@ -64,7 +64,7 @@ class Walk {
   void catch_fall(const Tipping& error, double dt);
   void move_feet();
   void close_feet(double dt);
-  std::array<double, 2> carried() const;
+  HipSag::Weights carried() const;
   void pose(const Sensors& sensors, double dt);
   double period() const { return kick_ == KickStep::none ? parameters_.period : parameters_.kick_period; }
   double phase() const { return time_ / period(); }
@@ -74,7 +74,7 @@ class Walk {
   const Parameters parameters_;
   Balance balance_;
   ServoLag lag_;
-  ServoSag sag_;
+  HipSag sag_;
 
   // the step
   bool stepping_ = false;

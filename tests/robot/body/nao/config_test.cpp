@@ -5,6 +5,9 @@
 #include <numbers>
 #include <string>
 
+#include "robot/core/text.h"
+#include "robot/nao/walk/named_parameters.h"
+
 namespace robot::body {
 namespace {
 
@@ -27,7 +30,7 @@ TEST(NaoConfig, ReadsEverySetting) {
   const auto config = parse_nao_config(
       "body.roll_deg = 1\n  body.pitch_deg=-2  \r\ncamera_top.device = /dev/video0\ncamera_top.turned = no\n"
       "camera_top.tilt_deg = 3\ncamera_top.pan_deg = -0.5\n# a comment\ncamera_top.focal_x = 600.5\n"
-      "camera_top.control.gain = 40\ncamera_bottom.roll_deg = 0.25\ncamera_bottom.centre_y = 250");
+      "camera_top.control.gain = 40\ncamera_bottom.roll_deg = 0.25\ncamera_bottom.centre_y = 250\nwalk.period = 0.3");
   ASSERT_TRUE(config) << config.error();
   constexpr double kDegree = std::numbers::pi / 180;
   EXPECT_DOUBLE_EQ(config->calibration.body_roll, kDegree);
@@ -41,6 +44,8 @@ TEST(NaoConfig, ReadsEverySetting) {
   EXPECT_EQ(config->top.controls.at("contrast"), 32) << "the others stay";
   EXPECT_DOUBLE_EQ(config->calibration.bottom.roll, 0.25 * kDegree);
   EXPECT_EQ(config->bottom_projection.centre_y, 250);
+  EXPECT_EQ(config->walk.period, 0.3);
+  EXPECT_EQ(config->walk.lift, nao::walk::Parameters{}.lift) << "the others stay";
 }
 
 TEST(NaoConfig, NamesTheWrongLine) {
@@ -58,6 +63,20 @@ TEST(NaoConfig, NamesTheWrongLine) {
             "nao config: camera_top.control.gain: expected a whole number, got '1.5'");
   EXPECT_EQ(why_not("camera_bottom.focal_x = -1"),
             "nao config: camera_bottom.focal_x: expected a number 0 .. 5000, got '-1'");
+}
+
+TEST(NaoConfig, ReadsEveryParameterOfTheWalkWithinItsBounds) {
+  for (const auto& [name, place] : nao::walk::kNamedParameters) {
+    const double usual = nao::walk::Parameters{}.*place;
+    const auto line = [&](double value) { return formatted("walk.%s = %.17g", std::string(name).c_str(), value); };
+    const auto config = parse_nao_config(line(1.5 * usual));
+    ASSERT_TRUE(config) << config.error();
+    EXPECT_EQ(config->walk.*place, 1.5 * usual) << name;
+    EXPECT_FALSE(parse_nao_config(line(5 * usual))) << name;
+    EXPECT_FALSE(parse_nao_config(line(0))) << name;
+  }
+  EXPECT_EQ(why_not("walk.speed = 1"), "nao config: there is no 'walk.speed'");
+  EXPECT_EQ(why_not("walk = 1"), "nao config: there is no 'walk'");
 }
 
 TEST(NaoConfig, SurvivesEveryTruncation) {

@@ -194,6 +194,20 @@ TEST_F(NaoMotion, LeavesTheLegsToTheGuardianUntilACommandToWalk) {
   EXPECT_TRUE(drives_legs(next()));
 }
 
+TEST_F(NaoMotion, ObeysTheParametersOfTheWalk) {
+  const auto knee_after_take_over = [&](double hip_height) {
+    Motion lower(Kinematics(), {.hip_height = hip_height});
+    command.mutable_walk_speed()->set_x(0.1f);
+    Order order;
+    for (int i = 0; i < 50; ++i) {
+      report.capture_ns += 12'000'000;
+      order = lower.next(report, &command, 0, nullptr);
+    }
+    return order.position[l_knee_pitch];
+  };
+  EXPECT_GT(knee_after_take_over(0.2), knee_after_take_over(0.22) + 0.1f);
+}
+
 TEST_F(NaoMotion, TakesTheLegsOverWithoutAJump) {
   command.mutable_walk_speed()->set_x(0.1f);
   PerJoint<float> last = report.commanded;
