@@ -51,8 +51,10 @@ void add_simulation_options(CLI::App& app, RobotOptions& options) {
   app.add_option("--rules", options.rules,
                  "rules of a year, also of foresight; default: spl2012 with body sim, else spl2025")
       ->group(group);
-  app.add_option("--models", options.models, "models of the robots' abilities and perception")
-      ->capture_default_str()
+  app.add_option(
+         "--models", options.models,
+         "models of the robots' abilities and perception, also of foresight; default: match, and nao for the own "
+         "robot with body nao")
       ->group(group);
   app.add_option("--home-models", options.home_models, "models of the home team")->group(group);
   app.add_option("--away-models", options.away_models, "models of the away team")->group(group);
@@ -122,6 +124,12 @@ std::string rules_of(const RobotOptions& options) {
   if (!options.rules.empty()) return options.rules;
   return options.body == "sim" ? "spl2012" : foreseeing::kNewestRules;
 }
+
+std::string own_models_of(const RobotOptions& options) {
+  return options.models.empty() && options.body == "nao" ? "nao" : other_models_of(options);
+}
+
+std::string other_models_of(const RobotOptions& options) { return options.models.empty() ? "match" : options.models; }
 
 const std::string& own_strategy_of(const RobotOptions& options) {
   return options.side == "home" ? options.home : options.away;

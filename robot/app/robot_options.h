@@ -36,8 +36,8 @@ struct RobotOptions {
   std::string side = "home";
   int opponent = 5;
   std::string home = "baseline", away = "baseline";
-  std::string rules;                                       // also of foresight; empty: the default of rules_of()
-  std::string models = "match", home_models, away_models;  // also of foresight
+  std::string rules;                             // also of foresight; empty: the default of rules_of()
+  std::string models, home_models, away_models;  // also of foresight; empty: own_models_of()
   std::uint64_t seed = 1;
 
   // foresight
@@ -64,6 +64,12 @@ void add_options(CLI::App& app, RobotOptions& options);
 /// Returns the rules of the game. Without the option they are spl2012 for body sim and the newest rules for other
 /// bodies.
 std::string rules_of(const RobotOptions& options);
+
+/// Returns the models of the own body. Without the option they are nao for body nao and match for other bodies.
+std::string own_models_of(const RobotOptions& options);
+
+/// Returns the models of robots of which nothing is known: match without the option.
+std::string other_models_of(const RobotOptions& options);
 
 /// Returns the first strategy of the own side of a simulation.
 const std::string& own_strategy_of(const RobotOptions& options);

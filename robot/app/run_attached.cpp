@@ -26,7 +26,7 @@ Result<std::optional<agent::Agent>> agent_of(const RobotOptions& options) {
                                    .strategies = options.strategies,
                                    .stale = foreseeing::Following::kStaleTicks,
                                    .rules = rules_of(options),
-                                   .models = options.models});
+                                   .models = own_models_of(options)});
   if (!agent) return agent.failure("--behaviour");
   return std::optional(std::move(*agent));
 }

@@ -22,11 +22,12 @@ namespace {
 Result<body::GameSetup> setup_of(const RobotOptions& options, sim::Side side) {
   // every robot decides at 30 Hz, as on a real robot
   const std::string rules = rules_of(options);
-  auto game = sim::io::prepare({.rules = rules,
-                                .strategies = {options.home, options.away},
-                                .models = {options.home_models.empty() ? options.models : options.home_models,
-                                           options.away_models.empty() ? options.models : options.away_models},
-                                .pace = sim::Pace::every_tick});
+  auto game =
+      sim::io::prepare({.rules = rules,
+                        .strategies = {options.home, options.away},
+                        .models = {options.home_models.empty() ? other_models_of(options) : options.home_models,
+                                   options.away_models.empty() ? other_models_of(options) : options.away_models},
+                        .pace = sim::Pace::every_tick});
   if (!game) return game.failure();
   const auto own = static_cast<std::uint32_t>(robot_named_by(options).team);
   const auto opponent = static_cast<std::uint32_t>(options.opponent);

@@ -86,6 +86,7 @@ void fill_body(const sim::motion::Command& command, const sim::motion::Model& mo
       message.mutable_kick()->set_type(kind.name);
       message.mutable_kick()->set_leg(command.kick_left ? pb::Kick::LEG_LEFT : pb::Kick::LEG_RIGHT);
       message.mutable_kick()->set_direction(command.kick_left ? kind.direction : -kind.direction);
+      message.mutable_kick()->set_in_walk(kind.in_walk);
       message.mutable_kick()->set_distance(command.gain * kind.range);
       break;
   }

@@ -1,5 +1,6 @@
 #include "sim/io/models.h"
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 
@@ -39,10 +40,22 @@ void visit_sections(AnyModels& models, See&& see) {
   see("radio", models.perception.radio);
 }
 
-/// Changes the known kicks and appends the others.
+/// Removes a kick of the base.
+void remove_kick(Reader& reader, const std::string& name, motion::Model& model) {
+  const int known = motion::find_kick(model, name);
+  if (known < 0) return reader.refuse("kicks: there is no '" + name + "' to remove");
+  std::copy(model.kicks + known + 1, model.kicks + model.kick_count, model.kicks + known);
+  --model.kick_count;
+}
+
+/// Changes the known kicks, appends the others and removes those that are false.
 void read_kicks(Reader& reader, const Json& kicks, motion::Model& model) {
   if (!reader.is_object(kicks, "kicks")) return;
   for (const auto& [name, kick] : kicks.items()) {
+    if (kick == false) {
+      remove_kick(reader, name, model);
+      continue;
+    }
     const int known = motion::find_kick(model, name);
     const int index = known < 0 ? model.kick_count : known;
     motion::Kick& into = model.kicks[std::min(index, motion::kMaxKicks - 1)];
@@ -57,6 +70,7 @@ void read_kicks(Reader& reader, const Json& kicks, motion::Model& model) {
     std::memcpy(into.name, name.data(), name.size());
     model.kick_count = std::max(model.kick_count, index + 1);
   }
+  if (model.kick_count == 0) reader.refuse("kicks: expected at least one, got none");
 }
 
 /// Reads over `models`, which hold the base of the description. Without a base all fields must be present.

@@ -72,6 +72,7 @@ struct Kick {
   float range_deviation;      // standard deviation, as share of the range
   float direction;            // [rad, robot] mean direction of the ball
   float direction_deviation;  // [rad] standard deviation
+  bool in_walk;               // with a step of the walk; otherwise the robot stops first
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {
@@ -85,6 +86,7 @@ struct Kick {
     see("range_deviation", self.range_deviation, "", 0.f, 0.6f);
     see("direction", self.direction, "rad", -3.15f, 3.15f);
     see("direction_deviation", self.direction_deviation, "rad", 0.f, 1.f);
+    see("in_walk", self.in_walk, "", false, true);
   }
 };
 

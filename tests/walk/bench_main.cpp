@@ -143,7 +143,7 @@ const std::map<std::string, Case>& cases() {
       {"push 2.4 standing", pushes(2.4, {})},
       {"push 3.0 walking", pushes(3.0, slow)},
       {"push 3.0 standing", pushes(3.0, {})},
-      {"kick forward", kicks(KickStep::forward, 0.17, 0.05)},
+      {"kick forward", kicks(KickStep::forward, 0.185, 0.05)},
       {"kick side", kicks(KickStep::side, 0.05, 0.17)},
       {"turf 8 mm", changed(constant(ahead, 18), [](Case& one) { one.turf = 0.008; })},
       {"delay 40 ms", changed(constant(ahead), [](Case& one) { one.delay = 0.02; })},

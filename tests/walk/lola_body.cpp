@@ -18,9 +18,9 @@ constexpr float kHasStiffness = 0.1f;  // [0..1] of a knee
 
 }  // namespace
 
-LolaBody::LolaBody(const walk::DrawnRobot& robot, std::uint64_t seed)
+LolaBody::LolaBody(const walk::DrawnRobot& robot, std::uint64_t seed, bool with_ball)
     : sensors(tests::standing_sensors()),
-      physics_(walk::Scene{.turf = robot.turf > 0, .about_origin = robot.about_origin}),
+      physics_(walk::Scene{.turf = robot.turf > 0, .ball = with_ball, .about_origin = robot.about_origin}),
       stand_(legs_of(stand_pose().position)),
       robot_(robot),
       seed_(seed) {

@@ -14,7 +14,7 @@ namespace robot::nao {
 class LolaBody {
  public:
   /// Puts a robot on its feet, in the guardian's stand and without stiffness. It stays there until it has stiffness.
-  LolaBody(const walk::DrawnRobot& robot, std::uint64_t seed);
+  LolaBody(const walk::DrawnRobot& robot, std::uint64_t seed, bool with_ball = false);
 
   Sensors sensors;  // LoLA's next values; others may change those that the physics does not have: touch, temperature …
 
@@ -23,6 +23,9 @@ class LolaBody {
 
   /// Pushes the torso in the next 50 ms: an impulse [N s] towards `direction` [rad], 0 forward, > 0 to the left.
   void push(double impulse, double direction);
+
+  /// Puts the ball on the ground [m, robot]. Only of a body with a ball.
+  void place_ball(double ahead, double left) { physics_.place_ball(ahead, left); }
 
   walk::Truth truth() const { return physics_.truth(); }
   /// Reports whether the robot has not fallen.

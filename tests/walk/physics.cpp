@@ -12,10 +12,12 @@
 namespace robot::nao::walk {
 namespace {
 
-constexpr double kGravity = 9.81;         // [m/s²]
-constexpr double kTorsoAboveHip = 0.085;  // [m] from the hips to the origin of the torso
-constexpr double kAngleNoise = 0.003;     // [rad]
-constexpr double kLoadNoise = 0.02;       // [kg]
+constexpr double kGravity = 9.81;          // [m/s²]
+constexpr double kTorsoAboveHip = 0.085;   // [m] from the hips to the origin of the torso
+constexpr double kAngleNoise = 0.003;      // [rad]
+constexpr double kLoadNoise = 0.02;        // [kg]
+constexpr double kBallDeceleration = 0.3;  // [m/s²] on carpet: sim/data/models/match.json
+constexpr double kRests = 0.02;            // [m/s] a slower ball comes to rest softly
 constexpr std::array<const char*, kLegJoints> kNames = {"HipYawPitch", "HipRoll",    "HipPitch",
                                                         "KneePitch",   "AnklePitch", "AnkleRoll"};
 // by joint: speeds without load and torques of the motors with their gears
@@ -133,7 +135,21 @@ void Physics::step(double force_x, double force_y) {
     }
   mjtNum* const force = data.xfrc_applied + 6 * torso_;
   force[0] = force_x, force[1] = force_y;
+  if (ball_ >= 0) slow_ball();
   mj_step(model_.get(), data_.get());
+}
+
+/// Lets the carpet slow a rolling ball.
+void Physics::slow_ball() {
+  mjData& data = *data_;
+  const mjtNum* const velocity = data.qvel + model_->jnt_dofadr[model_->body_jntadr[ball_]];
+  const double speed = std::hypot(velocity[0], velocity[1]);
+  // it also slows the ball's turning
+  const double turns = model_->body_inertia[3 * ball_] / (kBallRadius * kBallRadius);
+  const double force = (model_->body_mass[ball_] + turns) * kBallDeceleration * std::min(1.0, speed / kRests);
+  mjtNum* const applied = data.xfrc_applied + 6 * ball_;
+  applied[0] = speed > 0 ? -force * velocity[0] / speed : 0;
+  applied[1] = speed > 0 ? -force * velocity[1] / speed : 0;
 }
 
 Truth Physics::truth() const {
@@ -147,7 +163,8 @@ Truth Physics::truth() const {
   // the torso's z axis points where it tips
   truth.fall_direction = std::remainder(std::atan2(rotation[5], rotation[2]) - truth.heading, 2 * M_PI);
   if (ball_ >= 0) {
-    const int dof = model_->jnt_dofadr[model_->body_jntadr[ball_]];
+    const int joint = model_->body_jntadr[ball_], dof = model_->jnt_dofadr[joint];
+    truth.ball_x = data.qpos[model_->jnt_qposadr[joint]], truth.ball_y = data.qpos[model_->jnt_qposadr[joint] + 1];
     truth.ball_speed = std::hypot(data.qvel[dof], data.qvel[dof + 1]);
     truth.ball_direction = std::remainder(std::atan2(data.qvel[dof + 1], data.qvel[dof]) - truth.heading, 2 * M_PI);
   }
@@ -156,7 +173,7 @@ Truth Physics::truth() const {
 
 double Physics::now() const { return data_->time; }
 
-void Physics::place_ball(double ahead, double left_of) {
+void Physics::place_ball(double ahead, double left_of, double speed) {
   const int joint = model_->body_jntadr[ball_];
   const Truth robot = truth();
   const double cosine = std::cos(robot.heading), sine = std::sin(robot.heading);
@@ -164,7 +181,12 @@ void Physics::place_ball(double ahead, double left_of) {
   place[0] = robot.x + ahead * cosine - left_of * sine;
   place[1] = robot.y + ahead * sine + left_of * cosine;
   place[2] = kBallRadius;
-  std::fill_n(data_->qvel + model_->jnt_dofadr[joint], 6, 0.0);
+  mjtNum* const velocity = data_->qvel + model_->jnt_dofadr[joint];
+  std::fill_n(velocity, 6, 0.0);
+  velocity[0] = speed * cosine, velocity[1] = speed * sine;
+  // it rolls; angular velocities are in the ball's own frame
+  place[3] = 1, place[4] = place[5] = place[6] = 0;
+  velocity[3] = -velocity[1] / kBallRadius, velocity[4] = velocity[0] / kBallRadius;
 }
 
 }  // namespace robot::nao::walk

@@ -21,6 +21,7 @@ struct Truth {
   double heading = 0;               // [rad] (-π, π]
   double upright = 1;               // cosine of the tilt
   double fall_direction = 0;        // [rad] of the tilt, from the robot's front, > 0 to the left
+  double ball_x = 0, ball_y = 0;    // [m, world]
   double ball_speed = 0;            // [m/s]
   double ball_direction = 0;        // [rad] of its velocity, from the robot's front
 };
@@ -48,10 +49,12 @@ class Physics {
   Truth truth() const;
   double now() const;
 
-  /// Puts the ball on the ground [m, robot: on the ground under the torso].
-  void place_ball(double ahead, double left);
+  /// Puts the ball on the ground [m, robot: on the ground under the torso]. It moves off ahead with `speed` [m/s].
+  void place_ball(double ahead, double left, double speed = 0);
 
  private:
+  void slow_ball();
+
   struct Target {
     double time;
     Legs legs;

@@ -49,6 +49,17 @@ TEST(Physics, ATargetTakesEffectAfterTheDelay) {
   EXPECT_GT(wait(0.15), 0.05);
 }
 
+TEST(Physics, ARollingBallComesToRestWhereTheCarpetsDecelerationLetsIt) {
+  Physics physics(Scene{.ball = true});
+  physics.reset(draw_robot(1, Servos::stiff), 1, stand(), Parameters{}.hip_height);
+  physics.place_ball(0.3, 0.5, 0.6);
+  const Truth start = physics.truth();
+  for (int i = 0; i < std::lround(4 / Physics::kStep); ++i) physics.step(0, 0);
+  const Truth end = physics.truth();
+  EXPECT_NEAR(std::hypot(end.ball_x - start.ball_x, end.ball_y - start.ball_y), 0.6 * 0.6 / (2 * 0.3), 0.05);
+  EXPECT_LT(end.ball_speed, 0.02);
+}
+
 TEST(Physics, TheSameSeedGivesTheSameCourse) {
   Physics physics({});
   const DrawnRobot robot = draw_robot(3, Servos::soft);

@@ -62,9 +62,9 @@ constexpr Knob kStepKnobs[] = {
     {"lead_most", &Parameters::lead_most, 0.04, 0.2},
 };
 constexpr Knob kKickKnobs[] = {
-    {"kick_period", &Parameters::kick_period, 0.25, 0.5},  {"kick_back", &Parameters::kick_back, 0, 0.06},
-    {"kick_ahead", &Parameters::kick_ahead, 0.06, 0.2},    {"kick_from", &Parameters::kick_from, 0.05, 0.5},
-    {"kick_contact", &Parameters::kick_contact, 0.3, 0.8}, {"kick_over", &Parameters::kick_over, 0.6, 1},
+    {"kick_period", &Parameters::kick_period, 0.25, 0.5}, {"kick_ahead", &Parameters::kick_ahead, 0.06, 0.2},
+    {"kick_from", &Parameters::kick_from, 0.05, 0.5},     {"kick_contact", &Parameters::kick_contact, 0.3, 0.8},
+    {"kick_over", &Parameters::kick_over, 0.6, 1},
 };
 constexpr double kPart = 10;  // a search step of 1 is this part of a knob's range
 
@@ -110,7 +110,7 @@ class Judge {
            .command = kick,
            .pushes = {},
            .with_ball = true,
-           .ball_ahead = 0.17 + 0.015 * (2 * dice.uniform() - 1),
+           .ball_ahead = 0.185 + 0.015 * (2 * dice.uniform() - 1),
            .ball_left = sign_of(foot) * (0.05 + 0.015 * (2 * dice.uniform() - 1))});
       sum += 5 * fall(outcome, 5.5) + std::max(0.0, 1.5 - outcome.ball_speed) + (outcome.ball_speed < 0.2 ? 1 : 0);
     }

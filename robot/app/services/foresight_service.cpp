@@ -61,7 +61,9 @@ std::vector<std::string> default_strategies() { return {"baseline", "passing", "
 
 foreseeing::ForeseerOptions foreseer_options(const RobotOptions& options) {
   const bool home = options.side == "home";
-  const auto models_of = [&](const std::string& own) { return own.empty() ? options.models : own; };
+  const auto given_or = [](const std::string& given, const std::string& otherwise) {
+    return given.empty() ? otherwise : given;
+  };
   std::vector<std::string> strategies = options.strategies;
   if (strategies.empty()) {
     strategies = default_strategies();
@@ -70,8 +72,8 @@ foreseeing::ForeseerOptions foreseer_options(const RobotOptions& options) {
   }
   return {.strategies = std::move(strategies),
           .rules = rules_of(options),
-          .models = models_of(home ? options.home_models : options.away_models),
-          .opponent_models = models_of(home ? options.away_models : options.home_models)};
+          .models = given_or(home ? options.home_models : options.away_models, own_models_of(options)),
+          .opponent_models = given_or(home ? options.away_models : options.home_models, other_models_of(options))};
 }
 
 Result<foresight::Forecast> ask_for(foreseeing::Foreseer& foreseer, const memory::Channels& channels,

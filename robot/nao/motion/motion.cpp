@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kLongestStep = 0.1f;  // [s] longest step of the head after a gap
 constexpr float kSideways = 0.6f;     // [rad] kicks in a direction farther off are not forward
+constexpr float kKickWaits = 1;       // [s] a kick that has found no step of its foot by then is given up
 constexpr float kArrived = 0.03f;     // [rad] largest error of a head that has arrived
 
 float towards(float from, float to, float step) { return from + clamp(to - from, {-step, step}); }
@@ -59,6 +60,7 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
   Order order;
   if (game) order.game = word_of(*game);
   refused_.clear();
+  kick_age_ += dt;
   if (!command || command_age_ns > kCommandLasts_ns) {
     posture_ = Order::Posture::stand;
     walk_ = {};
@@ -74,6 +76,7 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
   if (may_walk_) legs_.drive(report, walk_, dt, order);
   if (legs_.kicks()) {
     kicked_ = true;
+    kick_waits_ = false;
     walk_ = {};
   }
   if (!head_) return order;
@@ -98,8 +101,12 @@ Order::Posture Motion::posture_of(const pb::MotionCommand& command) const {
 }
 
 /// Takes the walk of a command. A command without a body part lets the walk go on; values that are no numbers stop it.
+/// A kick waits for the step of its foot. Until then commands to walk do not take it back: a behaviour may change its
+/// mind with each image.
 void Motion::take_walk(const pb::MotionCommand& command) {
   if (command.body_case() == pb::MotionCommand::BODY_NOT_SET) return;
+  const bool walks = command.has_walk_speed() || command.has_walk_to();
+  if (walks && kick_waits_ && kick_age_ < kKickWaits) return;
   walk_ = {};
   const walk::Limits limits;
   if (command.has_walk_speed()) {
@@ -114,10 +121,11 @@ void Motion::take_walk(const pb::MotionCommand& command) {
   }
   if (command.has_kick() && command.kick().in_walk()) {
     kick_ = command.kick().type();
-    if (!kicked_) walk_ = kick_step(command.kick());
+    if (!kick_waits_ && !kicked_) kick_waits_ = true, kick_age_ = 0;
+    if (kick_waits_) walk_ = kick_step(command.kick());
   } else {
     kick_.clear();
-    kicked_ = false;
+    kick_waits_ = kicked_ = false;
   }
   may_walk_ |= !walk_.stands();
 }
@@ -177,7 +185,7 @@ void Motion::fill_odometry(pb::Odometry& odometry) const {
 void Motion::fill_status(const Report& report, pb::MotionStatus& status) const {
   fill(report, status);
   legs_.fill_status(status);
-  if (!kick_.empty() && status.walking() && (!kicked_ || legs_.kicks())) status.set_running(kick_);
+  if (!kick_.empty() && status.walking() && (kick_waits_ || legs_.kicks())) status.set_running(kick_);
   const auto away = [&](std::size_t joint, float target) {
     return std::abs(report.sensors.position[joint] - target) > kArrived;
   };

@@ -36,6 +36,9 @@ class Motion {
   /// Returns one sentence if the command asks for a motion that this body does not have, else an empty string.
   const std::string& refused() const { return refused_; }
 
+  /// Reports whether the present step kicks.
+  bool kicks() const { return legs_.kicks(); }
+
   /// Reports whether there is odometry: since the first command to walk.
   bool has_odometry() const { return may_walk_; }
   /// Fills the odometry of the walk.
@@ -61,7 +64,9 @@ class Motion {
   bool may_walk_ = false;  // a command to walk has come
   walk::Command walk_;
   std::string kick_;                // type of the commanded kick
-  bool kicked_ = false;             // the commanded kick has begun
+  bool kick_waits_ = false;         // for a step of its foot
+  bool kicked_ = false;             // it has begun
+  float kick_age_ = 0;              // [s] since it was commanded
   std::optional<HeadTarget> head_;  // nothing: no command for the head yet
   Order::Posture posture_ = Order::Posture::stand;
   std::string refused_;

@@ -69,14 +69,13 @@ struct Parameters {
   double heading_most = 0.6;      // [rad/s] bound of that turn
 
   // kicks with a step
-  double kick_period = 0.34;   // [s] of the step that kicks
-  double kick_back = 0.02;     // [m] the foot draws back
-  double kick_ahead = 0.1;     // [m] and swings ahead, beyond its place
+  double kick_period = 0.273;  // [s] of the step that kicks
+  double kick_ahead = 0.125;   // [m] the foot swings ahead, beyond its place
   double kick_side = 0.08;     // [m] or outwards
   double kick_turn = 0.6;      // [rad] or turns inwards
-  double kick_from = 0.15;     // [kick_period] it is back
-  double kick_contact = 0.42;  // [kick_period] it is ahead
-  double kick_over = 0.9;      // [kick_period] it is at its place
+  double kick_from = 0.274;    // [kick_period] the swing begins
+  double kick_contact = 0.5;   // [kick_period] the foot is ahead
+  double kick_over = 0.87;     // [kick_period] it is at its place
 
   // servos
   double lag_share = 0.57;     // of the servos' lag that is led

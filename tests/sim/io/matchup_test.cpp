@@ -14,7 +14,7 @@ namespace {
 
 const std::string kHeel =
     R"({"ball_x": -0.1, "ball_y": 0.05, "gate_x": 0.04, "gate_y": 0.03, "delay": 0.3, "duration": 0.6, "range": 1,
-        "range_deviation": 0.2, "direction": 3.1, "direction_deviation": 0.1})";
+        "range_deviation": 0.2, "direction": 3.1, "direction_deviation": 0.1, "in_walk": true})";
 
 TEST(PreparedGame, HoldsTheNamedParts) {
   const auto setup = prepare({.rules = "spl2025",

@@ -7,6 +7,7 @@
 
 #include "sim/io/embedded.h"
 #include "sim/io/source.h"
+#include "sim/motion/motion.h"
 
 namespace sim::io {
 namespace {
@@ -30,7 +31,7 @@ std::vector<bool> effects_of(const Models& models) {
 }
 
 TEST(Models, EmbeddedModelsHaveTheirFilesNames) {
-  EXPECT_EQ(listed(names_of("models")), "friendly, match, perfect");
+  EXPECT_EQ(listed(names_of("models")), "friendly, match, nao, perfect");
   for (const std::string_view name : names_of("models")) EXPECT_EQ(loaded_models(std::string(name)).name, name);
 }
 
@@ -62,7 +63,8 @@ TEST(Models, FriendlyIsMatchWithSmallerErrors) {
 }
 
 TEST(Models, APrintedDescriptionReadsBackIdentically) {
-  for (const char* name : {"friendly", "match", "perfect", "match,falls=off,walk.forward=0.1234567,radio.loss=0.7"}) {
+  for (const char* name :
+       {"friendly", "match", "nao", "perfect", "match,falls=off,walk.forward=0.1234567,radio.loss=0.7"}) {
     const std::string printed = print_models(loaded_models(name));
     const auto again = parse_models(printed, "again");
     ASSERT_TRUE(again) << again.error();
@@ -104,6 +106,26 @@ TEST(Models, VariationsChangeOnlyTheNamedEntries) {
   varied.effects.falls = match.effects.falls;
   varied.motion.walk.forward = match.motion.walk.forward;
   EXPECT_EQ(print_models(varied), print_models(match));
+}
+
+TEST(Models, AKickThatIsFalseIsRemoved) {
+  const Models match = loaded_models("match"), fewer = loaded_models("match,kicks.long=off");
+  EXPECT_EQ(fewer.motion.kick_count, match.motion.kick_count - 1);
+  EXPECT_LT(motion::find_kick(fewer.motion, "long"), 0);
+  for (int i = 0; i < fewer.motion.kick_count; ++i) {
+    const motion::Kick& kick = fewer.motion.kicks[i];
+    EXPECT_EQ(kick.range, match.motion.kicks[motion::find_kick(match.motion, kick.name)].range) << kick.name;
+  }
+  EXPECT_EQ(error_of_models("match,kicks.lonk=off"),
+            "models 'match,kicks.lonk=off': kicks: there is no 'lonk' to remove");
+  std::string all = "match";
+  for (int i = 0; i < match.motion.kick_count; ++i) all += std::string(",kicks.") + match.motion.kicks[i].name + "=off";
+  EXPECT_EQ(error_of_models(all), "models '" + all + "': kicks: expected at least one, got none");
+}
+
+TEST(Models, OurOwnBodyKicksOnlyInTheWalk) {
+  const Models nao = loaded_models("nao");
+  for (int i = 0; i < nao.motion.kick_count; ++i) EXPECT_TRUE(nao.motion.kicks[i].in_walk) << nao.motion.kicks[i].name;
 }
 
 TEST(Models, EveryEffectCanBeSwitchedByItsName) {

@@ -284,6 +284,26 @@ TEST_F(NaoMotion, KicksOnceWithAStepOfTheFootNearTheBall) {
   }
 }
 
+TEST_F(NaoMotion, AKickIsCarriedOutAlthoughTheNextCommandWalksUnlessItStands) {
+  for (const bool stands : {false, true}) {
+    command.mutable_walk_speed()->set_x(0.1f);
+    for (int i = 0; i < 150; ++i) next();
+    command.mutable_kick()->set_in_walk(true);
+    next();
+    if (stands)
+      command.set_posture(pb::MotionCommand::POSTURE_STAND);
+    else
+      command.mutable_walk_to()->set_x(0.3f), command.mutable_walk_to()->set_gain(1);
+    int kicking = 0;
+    for (int i = 0; i < 80; ++i) {
+      next();
+      kicking += motion.kicks() ? 1 : 0;
+    }
+    EXPECT_EQ(kicking > 0, !stands);
+    EXPECT_LT(kicking, 40) << "only one step";
+  }
+}
+
 TEST_F(NaoMotion, RefusesMissingMotionsWithASentence) {
   command.mutable_kick();
   next();
