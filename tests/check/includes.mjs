@@ -292,6 +292,7 @@ export const rows = {
     "robot/nao/guardian",
     "robot/nao/camera",
     "robot/nao/motion",
+    "robot/nao/walk",
   ],
   "robot/body/replay": [...kSessions, "proto"],
   "robot/body/sim": [

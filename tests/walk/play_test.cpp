@@ -17,7 +17,7 @@ constexpr std::uint64_t kDecision_ns = 33'333'333;
 constexpr double kAwayFromGoal = 2.5;  // [m] the physics' origin is this far before the opponent's goal
 constexpr double kSeen = 1.3;          // [rad] to both sides, with a turning head
 
-/// What good eyes and a good localisation would believe: the truth with errors.
+/// The beliefs of good eyes and a good localisation: the truth with errors.
 class Eyes {
  public:
   explicit Eyes(std::uint64_t seed) : dice_(seed) {}

@@ -1,4 +1,4 @@
-// tune_walk WHAT FIRST_SEED GENERATIONS ROBOTS: searches parameters by CMA-ES on drawn robots. WHAT is "steps" or "kicks".
+// tune_walk steps|kicks FIRST_SEED GENERATIONS ROBOTS: searches parameters by CMA-ES on drawn robots.
 // Each generation meets robots of its own. Prints the mean of each generation, as words for bench_walk.
 #include <algorithm>
 #include <array>
@@ -175,10 +175,9 @@ int main(int count, char** words) {
   const std::string_view what = count == 5 ? words[1] : "";
   const int generations = count == 5 ? std::atoi(words[3]) : 0, robots = count == 5 ? std::atoi(words[4]) : 0;
   if ((what != "steps" && what != "kicks") || generations < 1 || robots < 2) {
-    std::fprintf(
-        stderr,
-        "tune_walk: expected WHAT FIRST_SEED GENERATIONS ROBOTS, with 'steps' or 'kicks' and at least 1 generation "
-        "of 2 robots\n");
+    std::fprintf(stderr,
+                 "tune_walk: expected steps|kicks FIRST_SEED GENERATIONS ROBOTS, with at least 1 generation "
+                 "of 2 robots\n");
     return 2;
   }
   const std::span<const Knob> knobs = what == "steps" ? std::span<const Knob>(kStepKnobs) : kKickKnobs;
