@@ -57,7 +57,7 @@ constexpr Knob kStepKnobs[] = {
     {"learning", &Parameters::learning, 0.03, 0.25},
     {"sag_learning", &Parameters::sag_learning, 0.002, 0.03},
     {"sag_rise", &Parameters::sag_rise, 0.1, 1},
-    {"slip", &Parameters::slip, 0, 0.25},
+    {"longer", &Parameters::longer, 0, 0.25},
     {"lag_share", &Parameters::lag_share, 0.2, 1},
     {"lead_most", &Parameters::lead_most, 0.04, 0.2},
 };

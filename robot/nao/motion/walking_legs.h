@@ -15,7 +15,7 @@ namespace robot::nao {
 /// obey it. Pure; used by one thread.
 class WalkingLegs {
  public:
-  explicit WalkingLegs(const walk::Parameters& parameters = {}) : parameters_(parameters), odometry_(parameters) {}
+  explicit WalkingLegs(const walk::Parameters& parameters = {}) : parameters_(parameters) {}
 
   static constexpr float kTakeOver = 0.6f;   // [s] from the guardian's stand to that of the walk
   static constexpr float kStiffness = 0.9f;  // [0..1] of the legs

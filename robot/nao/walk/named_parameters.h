@@ -59,7 +59,7 @@ inline constexpr NamedParameter kNamedParameters[] = {
     {"forward_change", &Parameters::forward_change},
     {"side_change", &Parameters::side_change},
     {"turn_change", &Parameters::turn_change},
-    {"slip", &Parameters::slip},
+    {"longer", &Parameters::longer},
     {"speed_learning", &Parameters::speed_learning},
     {"correction_most", &Parameters::correction_most},
     {"heading_rate", &Parameters::heading_rate},

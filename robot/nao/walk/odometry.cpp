@@ -27,9 +27,8 @@ void Odometry::see(const Sensors& sensors, std::optional<Side> support, double d
     // the foot is at the same place as before, seen from a torso that has turned
     const double ahead = foot_.x - (std::cos(turn) * foot.x - std::sin(turn) * foot.y);
     const double left_of = foot_.y - (std::sin(turn) * foot.x + std::cos(turn) * foot.y);
-    const double real = ahead / (1 + parameters_.slip);
-    way_.x += std::cos(way_.heading) * real - std::sin(way_.heading) * left_of;
-    way_.y += std::sin(way_.heading) * real + std::cos(way_.heading) * left_of;
+    way_.x += std::cos(way_.heading) * ahead - std::sin(way_.heading) * left_of;
+    way_.y += std::sin(way_.heading) * ahead + std::cos(way_.heading) * left_of;
   }
   way_.heading = std::remainder(way_.heading + turn, 2 * std::numbers::pi);
   support_ = support;

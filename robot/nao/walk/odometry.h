@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "robot/nao/walk/parameters.h"
 #include "robot/nao/walk/sensors.h"
 
 namespace robot::nao::walk {
@@ -15,11 +14,10 @@ struct Way {
 };
 
 /// The odometry of one robot. The support foot stays where it is, so the torso moves against it. The gyroscope gives the
-/// heading; its bias is learned while the robot stands.
+/// heading; its bias is learned while the robot stands. In physics the way is 2 % too short with stiff servos and 16 % with
+/// soft ones, at 0.2 m/s (medians).
 class Odometry {
  public:
-  explicit Odometry(const Parameters& parameters) : parameters_(parameters) {}
-
   /// Takes a frame of sensors, `dt` [s] after the last one. `support` is the foot that carries the robot, or nothing while
   /// it stands on both feet.
   void see(const Sensors& sensors, std::optional<Side> support, double dt);
@@ -27,7 +25,6 @@ class Odometry {
   const Way& way() const { return way_; }
 
  private:
-  const Parameters parameters_;
   Way way_;
   std::optional<Side> support_;
   Point foot_;       // [m, torso] of the support foot in the last frame

@@ -155,7 +155,7 @@ void Walk::judge_last_step(const Sensors& sensors) {
       correction = std::clamp(correction + p.speed_learning * (planned - real), -p.correction_most, p.correction_most);
     };
     if (calm_ > 0.95 && std::abs(worst_shift_.forward) < 0.04) {
-      correct((1 + p.slip) * speed_.forward, real_speed_.forward, correction_.forward);
+      correct((1 + p.longer) * speed_.forward, real_speed_.forward, correction_.forward);
       correct(speed_.left, real_speed_.left, correction_.left);
     }
     lean_ = std::clamp(lean_ - p.lean_learning * mean_error, -p.lean_most, p.lean_most);
@@ -177,7 +177,7 @@ void Walk::begin_step(const Sensors& sensors, const Command& command) {
   approach(command.turn * calm_ + return_, p.turn_change, speed_.turn);
   kick_ = command.foot == swing_ && count_ > kWarmUp ? command.kick : KickStep::none;
   ends_ = command.stands() && std::abs(speed_.forward) < kStopSpeed && std::abs(speed_.left) < kStopSpeed;
-  stride_ = ((1 + p.slip) * speed_.forward + correction_.forward) * p.period;
+  stride_ = ((1 + p.longer) * speed_.forward + correction_.forward) * p.period;
   const double side = (speed_.left + correction_.left) * p.period, turn = speed_.turn * p.period;
   support_start_ = sole_of(sensors.joints[other(swing_)], other(swing_));
 
