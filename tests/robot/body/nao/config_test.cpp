@@ -66,12 +66,13 @@ TEST(NaoConfig, NamesTheWrongLine) {
 }
 
 TEST(NaoConfig, ReadsEveryParameterOfTheWalkWithinItsBounds) {
-  for (const auto& [name, place] : nao::walk::kNamedParameters) {
-    const double usual = nao::walk::Parameters{}.*place;
-    const auto line = [&](double value) { return formatted("walk.%s = %.17g", std::string(name).c_str(), value); };
+  for (const nao::walk::NamedParameter& named : nao::walk::kNamedParameters) {
+    const std::string name(named.name);
+    const double usual = nao::walk::Parameters{}.*named.place;
+    const auto line = [&](double value) { return formatted("walk.%s = %.17g", name.c_str(), value); };
     const auto config = parse_nao_config(line(1.5 * usual));
     ASSERT_TRUE(config) << config.error();
-    EXPECT_EQ(config->walk.*place, 1.5 * usual) << name;
+    EXPECT_EQ(config->walk.*named.place, 1.5 * usual) << name;
     EXPECT_FALSE(parse_nao_config(line(5 * usual))) << name;
     EXPECT_FALSE(parse_nao_config(line(0))) << name;
   }
