@@ -162,15 +162,20 @@ describe("the start script", { concurrency: true }, () => {
     });
   }
 
-  test("a program that ignores SIGTERM is ended all the same", async (t) => {
+  test("a program that ignores SIGTERM ends within 8 s", async (t) => {
     const service = installed(t, 'trap "" TERM; echo "process $$"; while :; do sleep 0.05; done');
-    service.run("start");
-    const pid = await service.running();
-    const began = performance.now();
-    assert.equal(service.run("stop").status, 0);
-    assert.ok(isGone(pid));
-    // 5 s, and more on a busy machine; without an end by force, never
-    assert.ok(performance.now() - began < 30_000);
+    const stop_ms = async () => {
+      service.run("start");
+      const pid = await service.running();
+      const began = performance.now();
+      assert.equal(service.run("stop").status, 0);
+      assert.ok(isGone(pid));
+      return performance.now() - began;
+    };
+    // a busy machine may delay one of three, not each
+    const took_ms = [];
+    while (took_ms.length < 3 && !took_ms.some((time) => time < 8000)) took_ms.push(await stop_ms());
+    assert.ok(Math.min(...took_ms) < 8000, `took ${took_ms.map(Math.round)} ms`);
   });
 
   test("a program that ends well is not started again", async (t) => {

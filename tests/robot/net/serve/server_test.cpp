@@ -414,11 +414,20 @@ TEST_F(ServerTest, SaysGoodbyeToAClientThatReadsWhileItStops) {
   const auto port = start();
   Peer peer(port);
   peer.subscribe(1);
-  write(*state, std::string(300'000, 'i'));
+  std::atomic<bool> done = false;
+  std::thread writer([&] {
+    const std::string image(300'000, 'i');
+    while (!done) write(*state, image);
+  });
   EXPECT_TRUE(peer.next_data());
-  std::thread stopping([&] { server->stop(); });
+  std::thread stopping([&] {
+    server->stop();
+    server->stop();
+  });
   EXPECT_EQ(peer.wait_closed(), kGoingAway);
   stopping.join();
+  done = true;
+  writer.join();
 }
 
 TEST_F(ServerTest, ATakenPortGivesASentence) {
