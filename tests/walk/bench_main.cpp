@@ -18,20 +18,16 @@
 
 #include "robot/core/result.h"
 #include "robot/nao/walk/named_parameters.h"
-#include "tests/walk/dice.h"
 #include "tests/walk/foreign_walk.h"
 #include "tests/walk/our_gait.h"
+#include "tests/walk/plans.h"
 
 namespace {
 
 using namespace robot::nao::walk;
 using Json = nlohmann::json;
 
-constexpr double kStart = 0.5;  // [s] it stands before
 constexpr int kDirections = 8;
-
-/// Numbers between 0 and 1 by an address.
-double drawn(std::uint64_t seed, std::uint64_t number) { return Dice(seed * 1000003 + number).uniform(); }
 
 /// Everything that a case changes.
 struct Case {
@@ -79,26 +75,8 @@ Plan stopping(const Command& command) {
   return {.duration = 8, .command = [=](double now) { return now < kStart || now >= 4.5 ? Command{} : command; }};
 }
 
-/// A kick while walking, with a ball before the foot.
-Case kicks(KickStep kick, double ahead, double aside) {
-  return {.plan =
-              [=](std::uint64_t seed, int) {
-                const Side foot = seed % 2 == 0 ? left : right;
-                const double error = 0.015;
-                return Plan{.duration = 7,
-                            .command =
-                                [=](double now) {
-                                  if (now < kStart) return Command{};
-                                  Command command{.forward = 0.1, .foot = foot};
-                                  if (now > 3 && now < 3.55) command.kick = kick;
-                                  return command;
-                                },
-                            .pushes = {},
-                            .with_ball = true,
-                            .ball_ahead = ahead + error * (2 * drawn(seed, 1) - 1),
-                            .ball_left = sign_of(foot) * (aside + error * (2 * drawn(seed, 2) - 1))};
-              },
-          .ball = true};
+Case kicks(const PlannedKick& kick) {
+  return {.plan = [=](std::uint64_t seed, int) { return kick_plan(kick, seed); }, .ball = true};
 }
 
 Case constant(const Command& command, double duration = 40) {
@@ -143,8 +121,8 @@ const std::map<std::string, Case>& cases() {
       {"push 2.4 standing", pushes(2.4, {})},
       {"push 3.0 walking", pushes(3.0, slow)},
       {"push 3.0 standing", pushes(3.0, {})},
-      {"kick forward", kicks(KickStep::forward, 0.185, 0.05)},
-      {"kick side", kicks(KickStep::side, 0.05, 0.17)},
+      {"kick forward", kicks({})},
+      {"kick side", kicks({KickStep::side, 0.05, 0.17})},
       {"turf 8 mm", changed(constant(ahead, 18), [](Case& one) { one.turf = 0.008; })},
       {"delay 40 ms", changed(constant(ahead), [](Case& one) { one.delay = 0.02; })},
       {"ranges 20 % wider", changed(constant(ahead), [](Case& one) { one.wider = 1.2; })},
@@ -286,13 +264,13 @@ std::string usage(const std::string& got) {
 robot::Result<void> change(Parameters& parameters, std::span<char*> words) {
   for (const std::string word : words) {
     const std::size_t middle = word.find('=');
-    const auto named = std::ranges::find(kNamedParameters, word.substr(0, middle), &NamedParameter::name);
+    const auto place = parameter_named(word.substr(0, middle));
     const std::string number = middle == std::string::npos ? "" : word.substr(middle + 1);
     char* end = nullptr;
     const double value = std::strtod(number.c_str(), &end);
-    if (named == std::end(kNamedParameters) || number.empty() || *end != 0 || !std::isfinite(value))
+    if (!place || number.empty() || *end != 0 || !std::isfinite(value))
       return robot::Error{"expected NAME=VALUE with a name of robot/nao/walk/parameters.h, got '" + word + "'"};
-    parameters.*named->place = value;
+    parameters.*place = value;
   }
   return {};
 }

@@ -11,9 +11,11 @@
 #include <string_view>
 #include <thread>
 
+#include "robot/nao/walk/named_parameters.h"
 #include "sim/learn/cma.h"
 #include "tests/walk/dice.h"
 #include "tests/walk/our_gait.h"
+#include "tests/walk/plans.h"
 
 namespace {
 
@@ -21,59 +23,60 @@ using namespace robot::nao::walk;
 
 /// A parameter that is searched, and its bounds.
 struct Knob {
-  const char* name;
-  double Parameters::*place;
+  std::string_view name;
   double least, most;
 };
 
 constexpr Knob kStepKnobs[] = {
-    {"period", &Parameters::period, 0.23, 0.33},
-    {"hip_height", &Parameters::hip_height, 0.205, 0.228},
-    {"ahead", &Parameters::ahead, 0, 0.025},
-    {"wider", &Parameters::wider, 0, 0.012},
-    {"lift", &Parameters::lift, 0.012, 0.03},
-    {"landing", &Parameters::landing, 0.7, 1},
-    {"share", &Parameters::share, 0.15, 0.6},
-    {"earliest", &Parameters::earliest, 0.4, 0.9},
-    {"rate_to_ankle_pitch", &Parameters::rate_to_ankle_pitch, 0, 0.15},
-    {"rate_to_ankle_roll", &Parameters::rate_to_ankle_roll, 0, 0.15},
-    {"rate_to_hip_pitch", &Parameters::rate_to_hip_pitch, 0, 0.15},
-    {"tilt_to_ankle_pitch", &Parameters::tilt_to_ankle_pitch, 0, 0.5},
-    {"tilt_to_ankle_roll", &Parameters::tilt_to_ankle_roll, 0, 0.3},
-    {"catch_forward", &Parameters::catch_forward, 0.3, 1.3},
-    {"catch_forward_from", &Parameters::catch_forward_from, 0, 0.04},
-    {"catch_forward_most", &Parameters::catch_forward_most, 0.05, 0.12},
-    {"catch_side", &Parameters::catch_side, 0.3, 1.5},
-    {"catch_side_from", &Parameters::catch_side_from, 0, 0.05},
-    {"counter", &Parameters::counter, 0, 3},
-    {"counter_from", &Parameters::counter_from, 0.02, 0.1},
-    {"catch_speed", &Parameters::catch_speed, 0.3, 1.5},
-    {"fights_from", &Parameters::fights_from, 0.015, 0.06},
-    {"calm_share", &Parameters::calm_share, 0.1, 0.8},
-    {"smoothing", &Parameters::smoothing, 0, 0.7},
-    {"lookahead", &Parameters::lookahead, 0, 3},
-    {"side_speed", &Parameters::side_speed, 0.5, 1.5},
-    {"counter_most", &Parameters::counter_most, 0.05, 0.15},
-    {"learning", &Parameters::learning, 0.03, 0.25},
-    {"sag_learning", &Parameters::sag_learning, 0.002, 0.03},
-    {"sag_rise", &Parameters::sag_rise, 0.1, 1},
-    {"longer", &Parameters::longer, 0, 0.25},
-    {"lag_share", &Parameters::lag_share, 0.2, 1},
-    {"lead_most", &Parameters::lead_most, 0.04, 0.2},
+    {"period", 0.23, 0.33},
+    {"hip_height", 0.205, 0.228},
+    {"ahead", 0, 0.025},
+    {"wider", 0, 0.012},
+    {"lift", 0.012, 0.03},
+    {"landing", 0.7, 1},
+    {"share", 0.15, 0.6},
+    {"earliest", 0.4, 0.9},
+    {"rate_to_ankle_pitch", 0, 0.15},
+    {"rate_to_ankle_roll", 0, 0.15},
+    {"rate_to_hip_pitch", 0, 0.15},
+    {"tilt_to_ankle_pitch", 0, 0.5},
+    {"tilt_to_ankle_roll", 0, 0.3},
+    {"catch_forward", 0.3, 1.3},
+    {"catch_forward_from", 0, 0.04},
+    {"catch_forward_most", 0.05, 0.12},
+    {"catch_side", 0.3, 1.5},
+    {"catch_side_from", 0, 0.05},
+    {"counter", 0, 3},
+    {"counter_from", 0.02, 0.1},
+    {"catch_speed", 0.3, 1.5},
+    {"fights_from", 0.015, 0.06},
+    {"calm_share", 0.1, 0.8},
+    {"smoothing", 0, 0.7},
+    {"lookahead", 0, 3},
+    {"side_speed", 0.5, 1.5},
+    {"counter_most", 0.05, 0.15},
+    {"learning", 0.03, 0.25},
+    {"sag_learning", 0.002, 0.03},
+    {"sag_rise", 0.1, 1},
+    {"longer", 0, 0.25},
+    {"lag_share", 0.2, 1},
+    {"lead_most", 0.04, 0.2},
 };
 constexpr Knob kKickKnobs[] = {
-    {"kick_period", &Parameters::kick_period, 0.25, 0.5}, {"kick_ahead", &Parameters::kick_ahead, 0.06, 0.2},
-    {"kick_from", &Parameters::kick_from, 0.05, 0.5},     {"kick_contact", &Parameters::kick_contact, 0.3, 0.8},
-    {"kick_over", &Parameters::kick_over, 0.6, 1},
+    {"kick_period", 0.25, 0.5}, {"kick_ahead", 0.06, 0.2}, {"kick_from", 0.05, 0.5},
+    {"kick_contact", 0.3, 0.8}, {"kick_over", 0.6, 1},
 };
+static_assert(std::ranges::all_of(kStepKnobs, parameter_named, &Knob::name) &&
+              std::ranges::all_of(kKickKnobs, parameter_named, &Knob::name));
 constexpr double kPart = 10;  // a search step of 1 is this part of a knob's range
 
 Parameters at(std::span<const Knob> knobs, const sim::learn::Vector& point) {
   Parameters parameters;
   for (std::size_t i = 0; i < knobs.size(); ++i) {
     const Knob& knob = knobs[i];
-    const double start = Parameters{}.*knob.place, unit = (knob.most - knob.least) / kPart;
-    parameters.*knob.place = std::clamp(start + unit * point[i], knob.least, knob.most);
+    const auto place = parameter_named(knob.name);
+    const double start = Parameters{}.*place, unit = (knob.most - knob.least) / kPart;
+    parameters.*place = std::clamp(start + unit * point[i], knob.least, knob.most);
   }
   return parameters;
 }
@@ -96,23 +99,12 @@ class Judge {
     for (int i = 0; i < 2 * robots; ++i) {
       const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i / 2);
       const DrawnRobot robot = draw_robot(seed, i % 2 == 0 ? Servos::stiff : Servos::soft);
-      Dice dice(seed);
-      const Side foot = seed % 2 == 0 ? left : right;
-      const auto kick = [=](double now) {
-        Command command{.forward = now < 0.5 ? 0 : 0.1, .foot = foot};
-        if (now > 2.5 && now < 3.05) command.kick = KickStep::forward;
-        return command;
-      };
       OurGait gait(parameters);
-      const Outcome outcome = robot::nao::walk::run(
-          *with_ball_[robot.about_origin], gait, robot, seed, stand(parameters), parameters.hip_height,
-          {.duration = 5.5,
-           .command = kick,
-           .pushes = {},
-           .with_ball = true,
-           .ball_ahead = 0.185 + 0.015 * (2 * dice.uniform() - 1),
-           .ball_left = sign_of(foot) * (0.05 + 0.015 * (2 * dice.uniform() - 1))});
-      sum += 5 * fall(outcome, 5.5) + std::max(0.0, 1.5 - outcome.ball_speed) + (outcome.ball_speed < 0.2 ? 1 : 0);
+      const Plan plan = kick_plan({}, seed);
+      const Outcome outcome = robot::nao::walk::run(*with_ball_[robot.about_origin], gait, robot, seed,
+                                                    stand(parameters), parameters.hip_height, plan);
+      sum += 5 * fall(outcome, plan.duration) + std::max(0.0, 1.5 - outcome.ball_speed) +
+             (outcome.ball_speed < 0.2 ? 1 : 0);
     }
     return sum / robots;
   }
@@ -201,7 +193,7 @@ int main(int count, char** words) {
     std::printf("// generation %d: best %.3f, worst %.3f, deviation %.3f\n", generation,
                 *std::min_element(costs.begin(), costs.end()), *std::max_element(costs.begin(), costs.end()),
                 search.deviation());
-    for (const Knob& knob : knobs) std::printf("%s=%.4g ", knob.name, mean.*knob.place);
+    for (const Knob& knob : knobs) std::printf("%s=%.4g ", knob.name.data(), mean.*parameter_named(knob.name));
     std::puts("");
     std::fflush(stdout);
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iterator>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -79,11 +78,10 @@ Result<void> read_camera(const Line& line, const std::string& name, nao::CameraS
 }
 
 Result<void> read_walk(const Line& line, const std::string& name, nao::walk::Parameters& walk) {
-  const auto named = std::ranges::find(nao::walk::kNamedParameters, name, &nao::walk::NamedParameter::name);
-  if (named == std::end(nao::walk::kNamedParameters))
-    return Error{"nao config: there is no '" + line.name.substr(0, 60) + "'"};
-  const double usual = nao::walk::Parameters{}.*named->place;
-  return read_number(line, usual / kWalkFactor, usual * kWalkFactor, 1, walk.*named->place);
+  const auto place = nao::walk::parameter_named(name);
+  if (!place) return Error{"nao config: there is no '" + line.name.substr(0, 60) + "'"};
+  const double usual = nao::walk::Parameters{}.*place;
+  return read_number(line, usual / kWalkFactor, usual * kWalkFactor, 1, walk.*place);
 }
 
 Result<void> read_line(const Line& line, NaoConfig& config) {

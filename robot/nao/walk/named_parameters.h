@@ -80,6 +80,13 @@ inline constexpr NamedParameter kNamedParameters[] = {
     {"stand_forward", &Parameters::stand_forward},
     {"stand_side", &Parameters::stand_side},
 };
+/// Returns where the parameter of that name is, or null.
+constexpr double Parameters::*parameter_named(std::string_view name) {
+  for (const NamedParameter& known : kNamedParameters)
+    if (known.name == name) return known.place;
+  return nullptr;
+}
+
 static_assert(sizeof(Parameters) == std::size(kNamedParameters) * sizeof(double), "each parameter has a name");
 
 }  // namespace robot::nao::walk
