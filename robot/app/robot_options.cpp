@@ -126,13 +126,23 @@ std::string rules_of(const RobotOptions& options) {
 }
 
 std::string own_models_of(const RobotOptions& options) {
-  return options.models.empty() && options.body == "nao" ? "nao" : other_models_of(options);
+  if (!options.models.empty()) return options.models;
+  return options.body == "nao" ? "nao" : "match";
 }
 
-std::string other_models_of(const RobotOptions& options) { return options.models.empty() ? "match" : options.models; }
+std::string models_of(const RobotOptions& options, sim::Side side) {
+  const std::string& given = side == sim::Side::home ? options.home_models : options.away_models;
+  if (!given.empty()) return given;
+  if (side == own_side_of(options)) return own_models_of(options);
+  return options.models.empty() ? "match" : options.models;
+}
+
+sim::Side own_side_of(const RobotOptions& options) {
+  return options.side == "home" ? sim::Side::home : sim::Side::away;
+}
 
 const std::string& own_strategy_of(const RobotOptions& options) {
-  return options.side == "home" ? options.home : options.away;
+  return own_side_of(options) == sim::Side::home ? options.home : options.away;
 }
 
 std::set<std::string> written_by_us(const RobotOptions& options) {

@@ -11,6 +11,7 @@
 #include "robot/app/robot_name.h"
 #include "robot/app/runtime.h"
 #include "robot/app/server_settings.h"
+#include "sim/world/world.h"
 
 namespace robot::app {
 
@@ -68,8 +69,12 @@ std::string rules_of(const RobotOptions& options);
 /// Returns the models of the own body. Without the option they are nao for body nao and match for other bodies.
 std::string own_models_of(const RobotOptions& options);
 
-/// Returns the models of robots of which nothing is known: match without the option.
-std::string other_models_of(const RobotOptions& options);
+/// Returns the models of one side's robots: those given for that side, else own_models_of() for the own side and those of
+/// --models, by default match, for the other one.
+std::string models_of(const RobotOptions& options, sim::Side side);
+
+/// Returns the side of the own team.
+sim::Side own_side_of(const RobotOptions& options);
 
 /// Returns the first strategy of the own side of a simulation.
 const std::string& own_strategy_of(const RobotOptions& options);

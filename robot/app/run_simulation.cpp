@@ -22,12 +22,10 @@ namespace {
 Result<body::GameSetup> setup_of(const RobotOptions& options, sim::Side side) {
   // every robot decides at 30 Hz, as on a real robot
   const std::string rules = rules_of(options);
-  auto game =
-      sim::io::prepare({.rules = rules,
-                        .strategies = {options.home, options.away},
-                        .models = {options.home_models.empty() ? other_models_of(options) : options.home_models,
-                                   options.away_models.empty() ? other_models_of(options) : options.away_models},
-                        .pace = sim::Pace::every_tick});
+  auto game = sim::io::prepare({.rules = rules,
+                                .strategies = {options.home, options.away},
+                                .models = {models_of(options, sim::Side::home), models_of(options, sim::Side::away)},
+                                .pace = sim::Pace::every_tick});
   if (!game) return game.failure();
   const auto own = static_cast<std::uint32_t>(robot_named_by(options).team);
   const auto opponent = static_cast<std::uint32_t>(options.opponent);
@@ -60,7 +58,7 @@ Result<void> follow_captain(const std::vector<std::string>& strategies, const Ro
 
 Result<void> run_simulation(const RobotOptions& options) {
   const RobotName robot = robot_named_by(options);
-  const sim::Side side = options.side == "home" ? sim::Side::home : sim::Side::away;
+  const sim::Side side = own_side_of(options);
   if (robot.player > sim::kMaxPlayers)
     return Error{"--player: body sim has players 1 .. " + std::to_string(sim::kMaxPlayers) + ", got " +
                  std::to_string(robot.player)};

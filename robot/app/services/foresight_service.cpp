@@ -60,10 +60,7 @@ ForesightService::~ForesightService() {
 std::vector<std::string> default_strategies() { return {"baseline", "passing", "kick_now", "high_line"}; }
 
 foreseeing::ForeseerOptions foreseer_options(const RobotOptions& options) {
-  const bool home = options.side == "home";
-  const auto given_or = [](const std::string& given, const std::string& otherwise) {
-    return given.empty() ? otherwise : given;
-  };
+  const sim::Side own = own_side_of(options);
   std::vector<std::string> strategies = options.strategies;
   if (strategies.empty()) {
     strategies = default_strategies();
@@ -72,8 +69,8 @@ foreseeing::ForeseerOptions foreseer_options(const RobotOptions& options) {
   }
   return {.strategies = std::move(strategies),
           .rules = rules_of(options),
-          .models = given_or(home ? options.home_models : options.away_models, own_models_of(options)),
-          .opponent_models = given_or(home ? options.away_models : options.home_models, other_models_of(options))};
+          .models = models_of(options, own),
+          .opponent_models = models_of(options, sim::other(own))};
 }
 
 Result<foresight::Forecast> ask_for(foreseeing::Foreseer& foreseer, const memory::Channels& channels,

@@ -75,8 +75,7 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
   order.posture = stops ? Order::Posture::stand : posture_;
   if (may_walk_) legs_.drive(report, walk_, dt, order);
   if (legs_.kicks()) {
-    kicked_ = true;
-    kick_waits_ = false;
+    kicking_ = Kicking::begun;
     walk_ = {};
   }
   if (!head_) return order;
@@ -106,7 +105,7 @@ Order::Posture Motion::posture_of(const pb::MotionCommand& command) const {
 void Motion::take_walk(const pb::MotionCommand& command) {
   if (command.body_case() == pb::MotionCommand::BODY_NOT_SET) return;
   const bool walks = command.has_walk_speed() || command.has_walk_to();
-  if (walks && kick_waits_ && kick_age_ < kKickWaits) return;
+  if (walks && kicking_ == Kicking::waits && kick_age_ < kKickWaits) return;
   walk_ = {};
   const walk::Limits limits;
   if (command.has_walk_speed()) {
@@ -121,11 +120,11 @@ void Motion::take_walk(const pb::MotionCommand& command) {
   }
   if (command.has_kick() && command.kick().in_walk()) {
     kick_ = command.kick().type();
-    if (!kick_waits_ && !kicked_) kick_waits_ = true, kick_age_ = 0;
-    if (kick_waits_) walk_ = kick_step(command.kick());
+    if (kicking_ == Kicking::no) kicking_ = Kicking::waits, kick_age_ = 0;
+    if (kicking_ == Kicking::waits) walk_ = kick_step(command.kick());
   } else {
     kick_.clear();
-    kick_waits_ = kicked_ = false;
+    kicking_ = Kicking::no;
   }
   may_walk_ |= !walk_.stands();
 }
@@ -185,7 +184,7 @@ void Motion::fill_odometry(pb::Odometry& odometry) const {
 void Motion::fill_status(const Report& report, pb::MotionStatus& status) const {
   fill(report, status);
   legs_.fill_status(status);
-  if (!kick_.empty() && status.walking() && (kick_waits_ || legs_.kicks())) status.set_running(kick_);
+  if (!kick_.empty() && status.walking() && (kicking_ == Kicking::waits || legs_.kicks())) status.set_running(kick_);
   const auto away = [&](std::size_t joint, float target) {
     return std::abs(report.sensors.position[joint] - target) > kArrived;
   };

@@ -53,6 +53,9 @@ class Motion {
     float yaw_speed = kHeadSpeed, pitch_speed = kHeadSpeed;  // [rad/s]
   };
 
+  /// The state of the commanded kick: it waits for a step of its foot, or that step has begun.
+  enum class Kicking { no, waits, begun };
+
   Order::Posture posture_of(const pb::MotionCommand& command) const;
   void take_walk(const pb::MotionCommand& command);
   walk::Command kick_step(const pb::Kick& kick) const;
@@ -63,9 +66,8 @@ class Motion {
   WalkingLegs legs_;
   bool may_walk_ = false;  // a command to walk has come
   walk::Command walk_;
-  std::string kick_;                // type of the commanded kick
-  bool kick_waits_ = false;         // for a step of its foot
-  bool kicked_ = false;             // it has begun
+  std::string kick_;  // type of the commanded kick
+  Kicking kicking_ = Kicking::no;
   float kick_age_ = 0;              // [s] since it was commanded
   std::optional<HeadTarget> head_;  // nothing: no command for the head yet
   Order::Posture posture_ = Order::Posture::stand;
