@@ -7,7 +7,9 @@
 namespace sim::foresight {
 namespace {
 
-constexpr Tick kLook = 64;        // [ticks] from one look at the budget to the next: 0.2 ms
+// Stripes that are played side by side: more would fill the lanes little better (sim/math/lanes.h).
+constexpr int kStripes = 16;
+constexpr Tick kLook = 64;        // [ticks] of all rollouts, from one look at the budget to the next: 0.2 ms
 constexpr Tick kHeat = ticks(1);  // from one look at the ball to the next
 constexpr Tick kLongestPath = ticks(120);
 
@@ -53,13 +55,31 @@ class Runner {
     while (1 << rounds < task_.strategies) ++rounds;
     for (int round = 1; round <= rounds; ++round) {
       const double until = static_cast<double>(round) / rounds;
+      // the end of the budget cuts off what is played then: the nearer it is, the fewer stripes at once
+      const double share = round == rounds ? 0.5 : 1;
       while (statistics_.spent < until)
-        if (!play_stripe()) return;
+        if (!play_stripes(affordable(share * (until - statistics_.spent)))) return;
       if (statistics_.stripes >= kFewestStripes) leave_behind();
     }
   }
 
  private:
+  /// One strategy's rollout in one stripe.
+  struct Rollout {
+    State state;
+    Runner* runner;
+    const State* start;
+    StrategyStatistics* strategy;
+    Path* path;  // nullptr: it is not kept
+    Outcome* outcome;
+
+    bool goes_on() { return runner->goes_on(*this); }
+    void hear(const referee::Event& event) const {
+      if (event.kind != referee::Event::Kind::goal || outcome->next != 0) return;
+      outcome->next = event.side == runner->task_.question.own ? 1 : -1;
+    }
+  };
+
   /// Returns the latest end of a rollout. Halves and games end by themselves.
   static Tick end_of(const Task& task) {
     const Question& question = task.question;
@@ -68,54 +88,75 @@ class Runner {
     return task.situation->state.world.tick + question.horizon;
   }
 
-  /// Plays one stripe. Returns false when the budget is spent: the stripe does not count.
-  bool play_stripe() {
-    const RandomKey key{task_.key.seed + static_cast<std::uint64_t>(statistics_.stripes)};
-    const State start = sample(*task_.params[0], *task_.situation, key);
-    Outcome outcomes[kMaxStrategies];
+  /// Returns how many stripes a share of the budget allows, by the cost of the rollouts so far: 1 .. kStripes.
+  int affordable(double share) const {
+    if (rollouts_ == 0) return 1;
+    int racing = 0;
+    for (int i = 0; i < task_.strategies; ++i) racing += statistics_.by_strategy[i].racing ? 1 : 0;
+    const double cost = statistics_.spent * racing / static_cast<double>(rollouts_);
+    return static_cast<int>(std::clamp(share / cost, 1., static_cast<double>(kStripes)));
+  }
+
+  /// Plays stripes side by side. Returns false when the budget is spent: these stripes do not count.
+  bool play_stripes(int count) {
+    for (int stripe = 0; stripe < count; ++stripe)
+      starts_[stripe] = sample(*task_.params[0], *task_.situation,
+                               {task_.key.seed + static_cast<std::uint64_t>(statistics_.stripes + stripe)});
     for (int i = 0; i < task_.strategies; ++i) {
       if (!statistics_.by_strategy[i].racing) continue;
-      if (look() >= 1 || !play(start, *task_.params[i], statistics_.by_strategy[i], outcomes[i])) return false;
-      ++rollouts_;
+      if (look() >= 1 || !play(i, count)) return false;
+      rollouts_ += count;
     }
-    for (int i = 0; i < task_.strategies; ++i)
-      if (statistics_.by_strategy[i].racing) enter(i, outcomes);
-    ++statistics_.stripes;
-    look();
-    if (told_) told_(statistics_);
+    for (int stripe = 0; stripe < count; ++stripe) {
+      for (int i = 0; i < task_.strategies; ++i)
+        if (statistics_.by_strategy[i].racing) enter(i, outcomes_[stripe]);
+      ++statistics_.stripes;
+      look();
+      if (told_) told_(statistics_);
+    }
     return true;
   }
 
   double look() { return statistics_.spent = spent_(rollouts_); }
 
-  /// Plays one rollout. Returns false when the budget ended before it.
-  bool play(const State& start, const Params& params, StrategyStatistics& strategy, Outcome& outcome) {
-    const Question& question = task_.question;
-    const Tick began = start.world.tick;
-    const bool is_path = statistics_.stripes < StrategyStatistics::kPaths;
-    Path& path = strategy.paths[std::min(statistics_.stripes, StrategyStatistics::kPaths - 1)];
-    const Tick length = std::min(end_ == kNever ? kLongestPath : end_ - began, kLongestPath);
-    const Tick spacing = std::max<Tick>(length / (Path::kPoints - 1), 1);
-    if (is_path) path = {.spacing = static_cast<float>(spacing) * kTickDuration};
+  /// Plays one strategy in stripes. Returns false when the budget ended before they did.
+  bool play(int strategy, int count) {
+    StrategyStatistics& statistics = statistics_.by_strategy[strategy];
+    const Params& params = *task_.params[strategy];
+    int begun = 0;
+    play_many<Rollout>(params, static_cast<std::size_t>(count), [&](const Rollout*) -> Rollout* {
+      if (begun == count) return nullptr;
+      const int stripe = begun++, number = statistics_.stripes + stripe;
+      Path* const path = number < StrategyStatistics::kPaths ? &statistics.paths[number] : nullptr;
+      if (path) *path = {.spacing = static_cast<float>(spacing()) * kTickDuration};
+      outcomes_[stripe][strategy] = {};
+      played_[stripe] = {starts_[stripe], this, &starts_[stripe], &statistics, path, &outcomes_[stripe][strategy]};
+      return &played_[stripe];
+    });
+    for (int stripe = 0; stripe < count; ++stripe) {
+      const State &start = starts_[stripe], &end = played_[stripe].state;
+      statistics_.ticks += end.world.tick - start.world.tick;
+      outcomes_[stripe][strategy].value = value_of(params, start, end, outcomes_[stripe][strategy]);
+    }
+    return !cut_;
+  }
 
-    State state = start;
-    bool cut = false;
-    sim::play(
-        params, state,
-        [&](const State& now) {
-          const Tick since = now.world.tick - began;
-          if (since % kHeat == 0) add(strategy.heat, params.rules.field, unturned(now, start, now.world.ball.position));
-          if (is_path && since % spacing == 0) add(path, now, start, question.own);
-          if (since % kLook == kLook - 1 && look() >= 1) return cut = true;
-          return is_over(now, start, outcome);
-        },
-        [&](const referee::Event& event) {
-          if (event.kind != referee::Event::Kind::goal || outcome.next != 0) return;
-          outcome.next = event.side == question.own ? 1 : -1;
-        });
-    statistics_.ticks += state.world.tick - began;
-    if (!cut) outcome.value = value_of(params, start, state, outcome);
-    return !cut;
+  /// Returns the time from one point of a path to the next [ticks].
+  Tick spacing() const {
+    const Tick began = task_.situation->state.world.tick;
+    const Tick length = std::min(end_ == kNever ? kLongestPath : end_ - began, kLongestPath);
+    return std::max<Tick>(length / (Path::kPoints - 1), 1);
+  }
+
+  /// Notes where a rollout is. Reports whether it goes on.
+  bool goes_on(Rollout& rollout) {
+    const State &now = rollout.state, &start = *rollout.start;
+    const Tick since = now.world.tick - start.world.tick;
+    if (since % kHeat == 0)
+      add(rollout.strategy->heat, task_.params[0]->rules.field, unturned(now, start, now.world.ball.position));
+    if (rollout.path && since % spacing() == 0) add(*rollout.path, now, start, task_.question.own);
+    if (++ticks_ % kLook == 0 && look() >= 1) cut_ = true;
+    return !cut_ && !is_over(now, start, *rollout.outcome);
   }
 
   bool is_over(const State& now, const State& start, const Outcome& outcome) const {
@@ -175,7 +216,12 @@ class Runner {
   const Told& told_;
   RolloutStatistics& statistics_;
   const Tick end_;
-  std::int64_t rollouts_ = 0;
+  std::int64_t rollouts_ = 0;  // played to their ends
+  std::int64_t ticks_ = 0;     // of all rollouts
+  bool cut_ = false;           // the budget ended within a rollout
+  State starts_[kStripes];     // by stripe
+  Rollout played_[kStripes];
+  Outcome outcomes_[kStripes][kMaxStrategies];
 };
 
 }  // namespace
