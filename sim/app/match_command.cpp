@@ -1,6 +1,7 @@
 // foresight-sim match: a game, or a series of them.
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "robot/core/files.h"
@@ -9,6 +10,7 @@
 #include "sim/app/match_statistics.h"
 #include "sim/app/played_game.h"
 #include "sim/app/progress.h"
+#include "sim/contest/lineup_series.h"
 #include "sim/contest/openings.h"
 #include "sim/contest/repetition.h"
 #include "sim/io/json.h"
@@ -155,13 +157,16 @@ class MatchCommand final : public Command {
   int run_many(const contest::Lineup& lineup, const contest::Openings& openings) {
     std::vector<report::GameReport> reports(static_cast<std::size_t>(games_));
     contest::Costs costs;
-    const auto played = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
-      if (auto report = play_one(cast, openings, wish(seed), nullptr, nullptr)) {
-        report->decisions.clear();
-        reports[static_cast<std::size_t>(game)] = *std::move(report);
-      }
-      costs.add(cast);
-    });
+    const auto played = play_all(
+        lineup, &costs,
+        [&](int, std::uint64_t seed, const contest::Cast& cast) {
+          return std::make_unique<NotedGame>(cast, openings, wish(seed));
+        },
+        [&](int game, NotedGame& ended, const contest::Cast&) {
+          report::GameReport& report = reports[static_cast<std::size_t>(game)];
+          report = ended.report();
+          report.decisions.clear();
+        });
     if (!played) return fail(played.error());
     warn_of_repetition(games_, report::different_games(reports), choice_.choice());
     if (json_)
@@ -173,9 +178,14 @@ class MatchCommand final : public Command {
 
   int run_lines(const contest::Lineup& lineup) {
     std::vector<report::GameLine> lines(static_cast<std::size_t>(games_));
-    const auto played = play_all(lineup, [&](int game, std::uint64_t seed, const contest::Cast& cast) {
-      lines[static_cast<std::size_t>(game)] = report::game_line(cast.params(), seed, shoot_out_);
-    });
+    const auto played = play_all(
+        lineup, nullptr,
+        [](int, std::uint64_t seed, const contest::Cast& cast) {
+          return std::make_unique<report::LineGame>(cast.params(), seed);
+        },
+        [&](int game, const report::LineGame& ended, const contest::Cast& cast) {
+          lines[static_cast<std::size_t>(game)] = ended.line(cast.params(), shoot_out_);
+        });
     if (!played) return fail(played.error());
     std::vector<std::uint64_t> hashes;
     for (const report::GameLine& line : lines) hashes.push_back(line.hash);
@@ -184,12 +194,12 @@ class MatchCommand final : public Command {
     return kDone;
   }
 
-  /// Calls play(game, seed, cast) for each game. Returns the failure of a behaviour from outside.
-  robot::Result<void> play_all(const contest::Lineup& lineup,
-                               const std::function<void(int, std::uint64_t, const contest::Cast&)>& play) const {
+  /// Plays all games (sim/contest/lineup_series.h).
+  robot::Result<void> play_all(const contest::Lineup& lineup, contest::Costs* costs, auto&& begin, auto&& end) const {
     ProgressBar progress("playing", static_cast<std::uint64_t>(games_));
-    return contest::for_each_cast(lineup, seed_, games_, threads_, play,
-                                  [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
+    const contest::Series series{.first_seed = seed_, .games = games_, .threads = threads_, .costs = costs};
+    return contest::play_series(lineup, series, begin, end,
+                                [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
   }
 
   ChoiceOptions choice_;

@@ -1,15 +1,16 @@
 #include "sim/app/match_statistics.h"
 
 #include <cstdio>
+#include <memory>
 #include <vector>
 
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/progress.h"
+#include "sim/contest/lineup_series.h"
 #include "sim/contest/repetition.h"
 #include "sim/match/hash.h"
-#include "sim/match/play.h"
 #include "sim/report/film.h"
 #include "sim/report/realism.h"
 
@@ -22,33 +23,42 @@ struct MeasuredGame {
   std::uint64_t hash = 0;
 };
 
-/// Plays a game and measures its windows.
-MeasuredGame measure_game(const StatisticsTask& task, const contest::Cast& cast, const contest::Openings& openings,
-                          std::uint64_t seed) {
-  State state = openings.begin(cast.params(), seed);
-  const Tick end = task.seconds > 0 ? state.world.tick + ticks(task.seconds) : kNever;
-  report::Film film;
-  play(
-      cast.params(), state,
-      [&](const State& now) {
-        film.look(now);
-        return now.world.tick >= end || cast.failed();
-      },
-      [](const referee::Event&) {});
-  MeasuredGame measured{.hash = hash_of_game(state)};
-  for (const statistics::Window& window : film.windows()) measured.figures.push_back(statistics::measure(window));
-  return measured;
-}
+/// A game that is filmed.
+class FilmedGame {
+ public:
+  State state;
+
+  FilmedGame(const State& start, float seconds)
+      : state(start), end_(seconds > 0 ? state.world.tick + ticks(seconds) : kNever) {}
+
+  bool goes_on() {
+    film_.look(state);
+    return state.world.tick < end_;
+  }
+  void see(const referee::Events&) {}
+  MeasuredGame measured() const {
+    MeasuredGame measured{.hash = hash_of_game(state)};
+    for (const statistics::Window& window : film_.windows()) measured.figures.push_back(statistics::measure(window));
+    return measured;
+  }
+
+ private:
+  report::Film film_;
+  const Tick end_;
+};
 
 /// Returns the figures of all complete windows of all games, in the order of the seeds.
 robot::Result<std::vector<statistics::Figures>> measure_games(const StatisticsTask& task, const contest::Lineup& lineup,
                                                               const contest::Openings& openings) {
   std::vector<MeasuredGame> games(static_cast<std::size_t>(task.games));
   ProgressBar progress("measuring", static_cast<std::uint64_t>(task.games));
-  const auto played = contest::for_each_cast(
-      lineup, task.seed, task.games, task.threads,
-      [&](int game, std::uint64_t seed, const contest::Cast& cast) {
-        games[static_cast<std::size_t>(game)] = measure_game(task, cast, openings, seed);
+  const auto played = contest::play_series(
+      lineup, {.first_seed = task.seed, .games = task.games, .threads = task.threads},
+      [&](int, std::uint64_t seed, const contest::Cast& cast) {
+        return std::make_unique<FilmedGame>(openings.begin(cast.params(), seed), task.seconds);
+      },
+      [&](int game, const FilmedGame& ended, const contest::Cast&) {
+        games[static_cast<std::size_t>(game)] = ended.measured();
       },
       [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
   if (!played) return played.failure();

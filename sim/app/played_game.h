@@ -31,6 +31,27 @@ struct GameWish {
 /// Returns the shortest length of a game; dead time makes it longer.
 Tick expected_ticks(const field::Rules& rules);
 
+/// A game, with notes of the referee's decisions. The cast outlives it.
+class NotedGame {
+ public:
+  State state;
+
+  NotedGame(const contest::Cast& cast, const contest::Openings& openings, const GameWish& wish);
+
+  /// Reports whether the wished length is not over yet.
+  bool goes_on() const { return state.world.tick < end_; }
+  /// Notes the decisions of the last step.
+  void see(const referee::Events& events);
+  /// Returns the report after the last step. Plays the shoot-out if there is one. Call once.
+  report::GameReport report();
+
+ private:
+  const contest::Cast& cast_;
+  const GameWish wish_;
+  report::GameReport report_;
+  Tick end_;
+};
+
 /// Plays a game, and records it unless `recording` is null. Updates `progress` unless it is null. Calls watch(state), unless
 /// it is empty, at the beginning and after each tick. After an Error there is no file.
 robot::Result<report::GameReport> play_one(const contest::Cast& cast, const contest::Openings& openings,

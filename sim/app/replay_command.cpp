@@ -162,8 +162,7 @@ class ReplayCommand final : public Command {
   /// Notes the referee's decisions but those about recorded robots. Returns whether there is a goal.
   static bool note(const State& state, const referee::Events& events, ReplayedGame& played) {
     bool goal = false;
-    for (int i = 0; i < events.count; ++i) {
-      const referee::Event& event = events.list[static_cast<std::size_t>(i)];
+    for (const referee::Event& event : events) {
       goal = goal || event.kind == Kind::goal;
       if (event.kind != Kind::goal && is_about(event, played.replay)) continue;
       played.report.decisions.push_back({.event = event,

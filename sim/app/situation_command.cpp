@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <memory>
 
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
 #include "sim/app/progress.h"
+#include "sim/contest/lineup_series.h"
 #include "sim/contest/openings.h"
 #include "sim/io/playbook.h"
 #include "sim/match/play.h"
@@ -27,26 +29,39 @@ struct Rollout {
   double possession_home = 0;  // [0..1]
 };
 
-Rollout roll_out(const contest::Cast& cast, State state, Tick end) {
-  const State start = state;
-  Rollout rollout;
-  play(
-      cast.params(), state, [&](const State& now) { return now.world.tick >= end || cast.failed(); },
-      [&](const referee::Event& event) {
-        if (event.kind == Kind::out || event.kind == Kind::kick_in || event.kind == Kind::goal_kick ||
-            event.kind == Kind::corner_kick)
-          ++rollout.outs;
-        if (event.kind != Kind::goal || rollout.first >= 0) return;
-        rollout.first = static_cast<int>(event.side);
-        rollout.first_seconds = static_cast<double>(age(event.tick, start.world.tick));
-      });
-  for (const int side : {0, 1}) {
-    rollout.goals[side] = state.book.score[side] - start.book.score[side];
-    rollout.shots[side] = state.counts.shots[side] - start.counts.shots[side];
+/// A continuation that is being played.
+class Continuation {
+ public:
+  State state;
+
+  Continuation(const State& start, Tick length) : state(start), start_(start), end_(start.world.tick + length) {}
+
+  bool goes_on() const { return state.world.tick < end_; }
+  void see(const referee::Events& events) {
+    for (const referee::Event& event : events) {
+      if (event.kind == Kind::out || event.kind == Kind::kick_in || event.kind == Kind::goal_kick ||
+          event.kind == Kind::corner_kick)
+        ++rollout_.outs;
+      if (event.kind != Kind::goal || rollout_.first >= 0) continue;
+      rollout_.first = static_cast<int>(event.side);
+      rollout_.first_seconds = static_cast<double>(age(event.tick, start_.world.tick));
+    }
   }
-  rollout.possession_home = static_cast<double>(result_of(state).possession(Side::home));
-  return rollout;
-}
+  Rollout rollout() const {
+    Rollout rollout = rollout_;
+    for (const int side : {0, 1}) {
+      rollout.goals[side] = state.book.score[side] - start_.book.score[side];
+      rollout.shots[side] = state.counts.shots[side] - start_.counts.shots[side];
+    }
+    rollout.possession_home = static_cast<double>(result_of(state).possession(Side::home));
+    return rollout;
+  }
+
+ private:
+  const State start_;
+  const Tick end_;
+  Rollout rollout_;
+};
 
 /// The summary of all rollouts.
 struct Summary {
@@ -180,13 +195,14 @@ class SituationCommand final : public Command {
     std::vector<Rollout> rollouts(static_cast<std::size_t>(rollouts_));
     const auto played = [&] {
       ProgressBar progress("rolling out", static_cast<std::uint64_t>(rollouts_));
-      return contest::for_each_cast(
-          *lineup, 0, rollouts_, 0,
-          [&](int i, std::uint64_t seed, const contest::Cast& cast) {
-            const State start = openings->begin(cast.params(), seed);
-            const Tick end = start.world.tick + ticks(static_cast<float>(seconds_));
-            rollouts[static_cast<std::size_t>(i)] = roll_out(cast, start, end);
-            costs.add(cast);
+      return contest::play_series(
+          *lineup, {.games = rollouts_, .costs = &costs},
+          [&](int, std::uint64_t seed, const contest::Cast& cast) {
+            return std::make_unique<Continuation>(openings->begin(cast.params(), seed),
+                                                  ticks(static_cast<float>(seconds_)));
+          },
+          [&](int i, const Continuation& ended, const contest::Cast&) {
+            rollouts[static_cast<std::size_t>(i)] = ended.rollout();
           },
           [&](int done) { progress.at(static_cast<std::uint64_t>(done)); });
     }();

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
-#include "sim/contest/series.h"
-#include "sim/match/step.h"
+#include "sim/contest/lineup_series.h"
 
 namespace sim::check {
 
@@ -17,29 +17,50 @@ constexpr double kDeviations = 1.96;  // of a normal distribution, for 95 %
 
 using Values = std::vector<std::optional<double>>;  // by metric
 
-/// Plays one game and measures it.
-Values play_one(const Scenario& scenario, const contest::Cast& cast, std::uint64_t seed) {
-  const Params& params = cast.params();
-  const State start = scenario.openings->begin(params, seed);
-  std::vector<Measure> measures;
-  measures.reserve(scenario.metrics.size());
-  for (const NamedMetric& metric : scenario.metrics) measures.emplace_back(metric.metric);
+/// One game of a scenario.
+class Game {
+ public:
+  State state;
 
-  State state = start;
-  Observer observer(start);
-  referee::Events events;
-  auto next = scenario.events.begin();
-  const Tick end = ticks(static_cast<float>(scenario.seconds));
-  for (Tick tick = 0; tick < end && !finished(state) && !cast.failed(); ++tick) {
-    for (; next != scenario.events.end() && next->at <= tick; ++next) apply(*next, params, state);
-    step(params, state, events);
-    const Glance glance = observer.look(state, events);
-    for (Measure& measure : measures) measure.see(glance);
+  Game(const Scenario& scenario, const Params& params, std::uint64_t seed)
+      : state(scenario.openings->begin(params, seed)),
+        scenario_(scenario),
+        params_(params),
+        start_(state),
+        next_(scenario.events.begin()),
+        end_(state.world.tick + ticks(static_cast<float>(scenario.seconds))) {
+    measures_.reserve(scenario.metrics.size());
+    for (const NamedMetric& metric : scenario.metrics) measures_.emplace_back(metric.metric);
   }
-  Values values;
-  for (const Measure& measure : measures) values.push_back(measure.value());
-  return values;
-}
+
+  /// Lets the events of this tick happen.
+  bool goes_on() {
+    if (state.world.tick >= end_) return false;
+    const Tick since = state.world.tick - start_.world.tick;
+    for (; next_ != scenario_.events.end() && next_->at <= since; ++next_) apply(*next_, params_, state);
+    return true;
+  }
+
+  void see(const referee::Events& events) {
+    const Glance glance = observer_.look(state, events);
+    for (Measure& measure : measures_) measure.see(glance);
+  }
+
+  Values values() const {
+    Values values;
+    for (const Measure& measure : measures_) values.push_back(measure.value());
+    return values;
+  }
+
+ private:
+  const Scenario& scenario_;
+  const Params& params_;
+  const State start_;
+  Observer observer_{start_};
+  std::vector<Measure> measures_;
+  std::vector<Event>::const_iterator next_;
+  const Tick end_;
+};
 
 bool is_beyond(double value, const NamedMetric& metric) {
   return (metric.at_least && value < *metric.at_least) || (metric.at_most && value > *metric.at_most);
@@ -84,10 +105,13 @@ Finding judge(const NamedMetric& metric, const std::vector<double>& values) {
 
 Result<std::vector<Finding>> play(const Scenario& scenario, const std::function<void(int)>& progress) {
   std::vector<Values> by_game(static_cast<std::size_t>(scenario.seeds));
-  const auto played = contest::for_each_cast(
-      *scenario.lineup, 0, scenario.seeds, 0,
-      [&](int game, std::uint64_t seed, const contest::Cast& cast) {
-        by_game[static_cast<std::size_t>(game)] = play_one(scenario, cast, seed);
+  const auto played = contest::play_series(
+      *scenario.lineup, {.games = scenario.seeds},
+      [&](int, std::uint64_t seed, const contest::Cast& cast) {
+        return std::make_unique<Game>(scenario, cast.params(), seed);
+      },
+      [&](int game, const Game& ended, const contest::Cast&) {
+        by_game[static_cast<std::size_t>(game)] = ended.values();
       },
       progress);
   if (!played) return played.failure();

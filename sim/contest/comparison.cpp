@@ -147,9 +147,11 @@ class Comparison::Game {
     return state.world.tick < end_ && !(first_ && first_ends) && !cast_->failed();
   }
 
-  void hear(const referee::Event& event) {
-    happened_.add(static_cast<std::uint64_t>(event.kind)), happened_.add(event.tick);
-    if (event.kind == Kind::goal && !first_) first_ = event.side;
+  void see(const referee::Events& events) {
+    for (const referee::Event& event : events) {
+      happened_.add(static_cast<std::uint64_t>(event.kind)), happened_.add(event.tick);
+      if (event.kind == Kind::goal && !first_) first_ = event.side;
+    }
   }
 
   Score score() {

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <utility>
 
-#include "sim/contest/series.h"
 #include "sim/io/chooser.h"
 
 namespace sim::contest {
@@ -145,24 +144,6 @@ Result<void> Cast::load(std::string_view bytes) {
     if (auto loaded = guest->load(bytes.substr(0, length)); !loaded) return loaded;
     bytes.remove_prefix(length);
   }
-  return {};
-}
-
-Result<void> for_each_cast(const Lineup& lineup, std::uint64_t first_seed, int games, int threads,
-                           const std::function<void(int, std::uint64_t, const Cast&)>& play,
-                           const std::function<void(int)>& progress) {
-  Problem problem;
-  for_each_game(
-      games, threads > 0 ? threads : threads_for(games),
-      [&](int game) {
-        if (problem.is_known()) return;
-        const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(game);
-        const Cast cast(lineup, seed);
-        play(game, seed, cast);
-        if (cast.failed()) problem.tell(cast.problem());
-      },
-      progress);
-  if (problem.is_known()) return robot::Error{problem.text()};
   return {};
 }
 

@@ -91,13 +91,6 @@ class Cast {
   std::unique_ptr<agent::Mixed> mixed_[2];
 };
 
-/// Calls play(game, seed, cast) for 0 <= game < games, as for_each_game. Each game has the seed `first_seed` + game and a
-/// cast of its own. 0 threads: threads_for(games). Returns the failure of a behaviour from outside; no further game is
-/// begun after it.
-robot::Result<void> for_each_cast(const Lineup& lineup, std::uint64_t first_seed, int games, int threads,
-                                  const std::function<void(int, std::uint64_t, const Cast&)>& play,
-                                  const std::function<void(int)>& progress = {});
-
 /// The cost of decisions over many games. Thread-safe.
 class Costs {
  public:

@@ -81,10 +81,8 @@ class Watch {
           state.robots[player.robot].mind.leaf != agent::kNoLeaf && state.schedule.turn[player.robot] != kNever;
       if (!plays) go(player, kOutside, now);
     }
-    for (int i = 0; i < events.count; ++i)
-      if (const referee::Event& event = events.list[static_cast<std::size_t>(i)];
-          event.kind == referee::Event::Kind::goal)
-        credit(event.side == side_ ? 1 : -1, now);
+    for (const referee::Event& event : events)
+      if (event.kind == referee::Event::Kind::goal) credit(event.side == side_ ? 1 : -1, now);
   }
 
   /// Ends the game.

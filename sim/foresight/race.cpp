@@ -74,9 +74,10 @@ class Runner {
     Outcome* outcome;
 
     bool goes_on() { return runner->goes_on(*this); }
-    void hear(const referee::Event& event) const {
-      if (event.kind != referee::Event::Kind::goal || outcome->next != 0) return;
-      outcome->next = event.side == runner->task_.question.own ? 1 : -1;
+    void see(const referee::Events& events) const {
+      for (const referee::Event& event : events)
+        if (event.kind == referee::Event::Kind::goal && outcome->next == 0)
+          outcome->next = event.side == runner->task_.question.own ? 1 : -1;
     }
   };
 

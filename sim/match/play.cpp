@@ -52,7 +52,7 @@ Result play_game(const Params& params, RandomKey key) {
   Result result{};
   referee::Events events;
   State state = begin(params, key, events);
-  for (int i = 0; i < events.count; ++i) result.count(events.list[static_cast<std::size_t>(i)]);
+  for (const referee::Event& event : events) result.count(event);
   return play_on(params, state, kNever, result);
 }
 
@@ -62,7 +62,9 @@ std::vector<Result> play_games(const Params& params, std::span<const RandomKey> 
     Result* result = nullptr;
 
     bool goes_on() const { return true; }
-    void hear(const referee::Event& event) const { result->count(event); }
+    void see(const referee::Events& events) const {
+      for (const referee::Event& event : events) result->count(event);
+    }
   };
   std::vector<Result> results(keys.size());
   std::vector<Game> games(std::min(keys.size(), kTogether));
@@ -74,7 +76,7 @@ std::vector<Result> play_games(const Params& params, std::span<const RandomKey> 
     game->result = &results[begun];
     referee::Events events;
     game->state = begin(params, keys[begun++], events);
-    for (int i = 0; i < events.count; ++i) game->hear(events.list[static_cast<std::size_t>(i)]);
+    game->see(events);
     return game;
   });
   return results;

@@ -46,17 +46,18 @@ Tick play(const Params& params, State& state, Until&& until, OnEvent&& on_event)
   referee::Events events;
   while (!finished(state) && !until(state)) {
     step(params, state, events);
-    for (int i = 0; i < events.count; ++i) on_event(events.list[static_cast<std::size_t>(i)]);
+    for (const referee::Event& event : events) on_event(event);
   }
   return state.world.tick - began;
 }
 
-/// Plays games with the same parameters side by side, at most kMostGames at once, which is several times faster than one
-/// after the other. Each game has the same bits as alone.
+/// Plays games with the same parameters side by side, at most kMostGames at once. With 16 of them a game takes 0.7
+/// times as long as alone. Each game has the same bits as alone.
 ///
 /// next(ended) returns the next game to play, or nullptr when there is no other. `ended` is the game that leaves its place
 /// to the next, or nullptr; its memory may be used again. A Game has the members `State state`, `bool goes_on()`, called
-/// before each step, and `void hear(event)`, called for each decision of the referee. A finished game is not asked.
+/// before each step, and `void see(events)`, called after each step with the referee's decisions. A finished game is not
+/// asked whether it goes on.
 template <class Game, class Next>
 void play_many(const Params& params, std::size_t together, Next&& next) {
   std::array<Game*, kMostGames> games;
@@ -79,9 +80,7 @@ void play_many(const Params& params, std::size_t together, Next&& next) {
   while (count < together && fill(count, nullptr)) ++count;
   while (count > 0) {
     step_many(params, {states.data(), count}, {events.data(), count});
-    for (std::size_t i = 0; i < count; ++i)
-      for (int event = 0; event < events[i].count; ++event)
-        games[i]->hear(events[i].list[static_cast<std::size_t>(event)]);
+    for (std::size_t i = 0; i < count; ++i) games[i]->see(events[i]);
     for (std::size_t i = 0; i < count;) {
       if (goes_on(*games[i]) || fill(i, games[i])) {
         ++i;

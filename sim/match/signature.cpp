@@ -62,7 +62,7 @@ std::uint64_t signature_of(const Ingredients& ingredients) {
     referee::Events events;
     for (int i = 1; i <= kScenarioSteps; ++i) {
       step(params, state, events);
-      for (int event = 0; event < events.count; ++event) add(hash, events.list[static_cast<std::size_t>(event)]);
+      for (const referee::Event& event : events) add(hash, event);
       if (i % 30 == 0) hash.add(hash_of(state));
     }
   }

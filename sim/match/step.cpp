@@ -301,8 +301,7 @@ void meet(const Params& params, bool bodies_move, bool touched, World& world) {
 /// Applies the referee's rules. A robot that returns from a penalty enters the field; after half time all robots do.
 void judge(const Params& params, State& state, referee::Events& events) {
   referee::judge(referee_params(params), state.world, state.book, state.counts, events);
-  for (int i = 0; i < events.count; ++i) {
-    const referee::Event& event = events.list[static_cast<std::size_t>(i)];
+  for (const referee::Event& event : events) {
     if (event.kind == referee::Event::Kind::returned) enter(params, state, event.robot);
     if (event.kind == referee::Event::Kind::half_time)
       for_each_robot(state.world.players, [&](int robot) { enter(params, state, robot); });

@@ -1,6 +1,7 @@
 // The referee's decisions.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -57,6 +58,8 @@ struct Events {
   std::array<Event, 32> list;
   int count = 0;
 
+  const Event* begin() const { return list.data(); }
+  const Event* end() const { return list.data() + std::min(count, static_cast<int>(list.size())); }
   void add(const Event& event) {
     if (count < static_cast<int>(list.size())) list[static_cast<std::size_t>(count)] = event;
     ++count;

@@ -4,7 +4,6 @@
 
 #include "robot/core/json_library.h"
 #include "sim/match/hash.h"
-#include "sim/report/census.h"
 #include "sim/report/game_report.h"
 
 namespace sim::report {
@@ -29,36 +28,37 @@ Json set_plays(const Result& result) {
 
 }  // namespace
 
-GameLine game_line(const Params& params, std::uint64_t seed, bool shoot_out) {
-  GameReport report{.seed = seed};
+LineGame::LineGame(const Params& params, std::uint64_t seed) : seed_(seed) {
   referee::Events opening;
-  State state = begin(params, {.seed = seed}, opening);
-  Census census;
-  Json first_goal;
-  int outs = 0;
-  Result decided{};
-  play(
-      params, state,
-      [&](const State& now) {
-        census.look(now);
-        return false;
-      },
-      [&](const referee::Event& event) {
-        decided.count(event);
-        if (is_out(event.kind)) ++outs;
-        if (event.kind == Kind::goal && first_goal.is_null()) first_goal = seconds(event.tick);
-      });
-  report.result = result_of(state, decided);
+  state = begin(params, {.seed = seed}, opening);
+}
+
+bool LineGame::goes_on() {
+  census_.look(state);
+  return true;
+}
+
+void LineGame::see(const referee::Events& events) {
+  for (const referee::Event& event : events) {
+    decided_.count(event);
+    if (is_out(event.kind)) ++outs_;
+    if (event.kind == Kind::goal && !first_goal_) first_goal_ = event.tick;
+  }
+}
+
+GameLine LineGame::line(const Params& params, bool shoot_out) const {
+  GameReport report{.seed = seed_};
+  report.result = result_of(state, decided_);
   if (shoot_out && state.book.score[0] == state.book.score[1])
-    report.shoot_out = play_shoot_out(params, {.seed = seed});
+    report.shoot_out = play_shoot_out(params, {.seed = seed_});
 
   Json json = to_json(report, params.rules.players);
   json.erase("events");  // there are hundreds
-  json["first_goal_seconds"] = first_goal;
-  json["out"] = outs;
+  json["first_goal_seconds"] = first_goal_ ? Json(seconds(*first_goal_)) : Json();
+  json["out"] = outs_;
   json["set_plays"] = set_plays(report.result);
-  json["home"].update(census.of(Side::home));
-  json["away"].update(census.of(Side::away));
+  json["home"].update(census_.of(Side::home));
+  json["away"].update(census_.of(Side::away));
   json["seen"] = Json::array();
   for_each_robot(params.rules.players, [&](int robot) {
     json["seen"].push_back(seconds(state.counts.seen[robot]) / seconds(std::max<Tick>(1, state.counts.in_play)));

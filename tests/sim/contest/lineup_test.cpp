@@ -4,8 +4,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <mutex>
+#include <set>
 #include <vector>
 
+#include "sim/contest/lineup_series.h"
+#include "sim/match/hash.h"
 #include "sim/match/play.h"
 #include "tests/support/temporary_folder.h"
 
@@ -50,28 +55,93 @@ TEST(Lineup, AStrategyThatIsNoFileKeepsItsOwnError) {
   EXPECT_EQ(refusal("no/such.py").find("strategy 'no/such.py': "), 0u) << refusal("no/such.py");
 }
 
-TEST(Lineup, EachGameHasASeedAndACastOfItsOwn) {
+/// A game of a series: two seconds, its hash, and who plays.
+struct ShortGame {
+  State state;
+  int decisions = 0;
+
+  bool goes_on() const { return state.world.tick < 60; }
+  void see(const referee::Events& events) { decisions += events.count; }
+};
+
+/// The games of a series as they were played.
+struct Played {
+  std::vector<std::uint64_t> seeds, hashes;
+  std::set<const Cast*> casts;
+  std::vector<int> progress;
+};
+
+Played played_series(const Lineup& lineup, const Series& series) {
+  Played played;
+  played.seeds.resize(static_cast<std::size_t>(series.games)), played.hashes.resize(played.seeds.size());
+  std::mutex lock;
+  const auto result = play_series(
+      lineup, series,
+      [&](int number, std::uint64_t seed, const Cast& cast) {
+        const std::lock_guard guard(lock);
+        played.seeds[static_cast<std::size_t>(number)] = seed;
+        played.casts.insert(&cast);
+        referee::Events events;
+        return std::make_unique<ShortGame>(begin(cast.params(), {seed}, events));
+      },
+      [&](int number, const ShortGame& game, const Cast& cast) {
+        const std::lock_guard guard(lock);
+        EXPECT_TRUE(played.casts.contains(&cast));
+        EXPECT_EQ(game.state.world.tick, 60u);
+        played.hashes[static_cast<std::size_t>(number)] = hash_of(game.state);
+      },
+      [&](int done) { played.progress.push_back(done); });
+  EXPECT_TRUE(result) << result.error();
+  return played;
+}
+
+TEST(LineupSeries, EachGameHasItsSeedAndTheBitsThatItHasAlone) {
   const auto lineup = Lineup::prepare({.game = {.strategies = {"baseline", "kick_now"}}, .rest = {}});
   ASSERT_TRUE(lineup) << lineup.error();
-  for (const int threads : {0, 1, 3}) {
-    std::vector<std::uint64_t> seeds(7);
-    std::vector<const agent::Behaviour*> players(7);
-    int finished = 0;
-    const auto played = for_each_cast(
-        *lineup, 40, 7, threads,
-        [&](int game, std::uint64_t seed, const Cast& cast) {
-          seeds[static_cast<std::size_t>(game)] = seed;
-          players[static_cast<std::size_t>(game)] = cast.params().teams[0].behaviour;
-        },
-        [&](int done) { finished = done; });
-    ASSERT_TRUE(played) << played.error();
-    EXPECT_EQ(seeds, (std::vector<std::uint64_t>{40, 41, 42, 43, 44, 45, 46}));
-    for (const agent::Behaviour* player : players) EXPECT_NE(player, lineup->params().teams[0].behaviour);
-    EXPECT_LE(finished, 7);
+  for (const int games : {1, 7, 150}) {
+    std::vector<std::uint64_t> seeds, hashes;
+    for (int i = 0; i < games; ++i) {
+      seeds.push_back(40 + static_cast<std::uint64_t>(i));
+      referee::Events events;
+      State state = begin(lineup->params(), {seeds.back()}, events);
+      play_on(lineup->params(), state, 60);
+      hashes.push_back(hash_of(state));
+    }
+    for (const int threads : {0, 1, 3}) {
+      Costs costs;
+      const Played played =
+          played_series(*lineup, {.first_seed = 40, .games = games, .threads = threads, .costs = &costs});
+      EXPECT_EQ(played.seeds, seeds);
+      EXPECT_EQ(played.hashes, hashes) << games << " games on " << threads << " threads";
+      EXPECT_NE(costs.text().find("a decision costs"), std::string::npos);
+      for (const int done : played.progress) EXPECT_LE(done, games);
+      if (threads == 1) {
+        ASSERT_FALSE(played.progress.empty());
+        EXPECT_EQ(played.progress.back(), games);
+      }
+    }
   }
 }
 
-TEST(Lineup, ABehaviourFromOutsideThatFailsIsToldOnceAndNoOtherGameIsBegun) {
+TEST(LineupSeries, ABehaviourFromOutsidePlaysOneGameAndTreesShareTheirs) {
+  io::Matchup game;
+  EXPECT_GT(games_of_a_cast(*Lineup::prepare({.game = game, .rest = {}}), {.games = 200, .threads = 2}), 16);
+  game.strategies[0] = FORESIGHT_CHARGE;
+  const auto lineup = Lineup::prepare({.game = game, .rest = {}});
+  ASSERT_TRUE(lineup) << lineup.error();
+  EXPECT_EQ(games_of_a_cast(*lineup, {.games = 200, .threads = 2}), 1);
+  const Played one = played_series(*lineup, {.games = 5, .threads = 1}),
+               three = played_series(*lineup, {.games = 5, .threads = 3});
+  EXPECT_EQ(one.hashes, three.hashes);
+}
+
+TEST(LineupSeries, NoGamesAreASeriesToo) {
+  const auto lineup = Lineup::prepare({.game = {}, .rest = {}});
+  ASSERT_TRUE(lineup) << lineup.error();
+  EXPECT_TRUE(played_series(*lineup, {}).hashes.empty());
+}
+
+TEST(LineupSeries, ABehaviourFromOutsideThatFailsIsToldOnceAndNoOtherGameIsBegun) {
   const tests::TemporaryFolder folder;
   // it answers when it is asked who it is, and ends at once in each game
   const std::string asked = (folder.path() / "asked").string();
@@ -81,16 +151,23 @@ TEST(Lineup, ABehaviourFromOutsideThatFailsIsToldOnceAndNoOtherGameIsBegun) {
   std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   const auto lineup = Lineup::prepare({.game = {.strategies = {"pipe:" + program, "baseline"}}, .rest = {}});
   ASSERT_TRUE(lineup) << lineup.error();
-  int begun = 0;
-  const auto played = for_each_cast(*lineup, 1, 5, 1, [&](int, std::uint64_t seed, const Cast& cast) {
-    ++begun;
-    referee::Events events;
-    State state = begin(cast.params(), {seed}, events);
-    play_on(cast.params(), state, 60);
-  });
+  int begun = 0, ended = 0;
+  const auto played = play_series(
+      *lineup, {.first_seed = 1, .games = 5, .threads = 1},
+      [&](int, std::uint64_t seed, const Cast& cast) {
+        ++begun;
+        referee::Events events;
+        return std::make_unique<ShortGame>(begin(cast.params(), {seed}, events));
+      },
+      [&](int, const ShortGame& game, const Cast& cast) {
+        ++ended;
+        EXPECT_TRUE(cast.failed());
+        EXPECT_LT(game.state.world.tick, 60u) << "the failure ends its game at once";
+      });
   ASSERT_FALSE(played);
   EXPECT_NE(played.error().find("status 3"), std::string::npos) << played.error();
   EXPECT_EQ(begun, 1);
+  EXPECT_EQ(ended, 1);
 }
 
 TEST(Lineup, TheExampleOfABehaviourFromOutsidePlaysAboutAsWellAsBaseline) {

@@ -52,10 +52,8 @@ Game seen_by_hand(const SharedSetup& setup, Side side, std::uint64_t seed) {
       const std::uint16_t leaf = state.robots[robot].mind.leaf;
       if (side_of(robot) == side && leaf != agent::kNoLeaf && state.schedule.turn[robot] != kNever) ++game.ticks[leaf];
     });
-    for (int i = 0; i < events.count; ++i)
-      if (const referee::Event& event = events.list[static_cast<std::size_t>(i)];
-          event.kind == referee::Event::Kind::goal)
-        game.goals.emplace_back(now, event.side == side ? 1 : -1);
+    for (const referee::Event& event : events)
+      if (event.kind == referee::Event::Kind::goal) game.goals.emplace_back(now, event.side == side ? 1 : -1);
   }
   game.hash = hash_of_game(state);
   return game;

@@ -27,7 +27,7 @@ struct Game {
     if (state.world.tick % 30 == 0) hashes.push_back(hash_of(state));
     return state.world.tick < length;
   }
-  void hear(const referee::Event& event) { events.push_back(event); }
+  void see(const referee::Events& decided) { events.insert(events.end(), decided.begin(), decided.end()); }
 };
 
 /// Returns `count` games of different lengths, so that places become free.
@@ -55,7 +55,7 @@ TEST(SideBySide, ManyGamesHaveTheBitsOfGamesAlone) {
           referee::Events events;
           while (!finished(game.state) && game.goes_on()) {
             step(setup.params, game.state, events);
-            for (int i = 0; i < events.count; ++i) game.hear(events.list[static_cast<std::size_t>(i)]);
+            game.see(events);
           }
         }
         play_together(setup.params, together, count == 37 ? 8 : kTogether);

@@ -104,7 +104,13 @@ TEST(GameReport, ShowsTheClockInMinutesAndSeconds) {
 }
 
 TEST(GameLine, IsOneLineWithTheFiguresOfTheReport) {
-  const std::string line = game_line(game().params, 2).text;
+  LineGame measured(game().params, 2);
+  referee::Events events;
+  while (!finished(measured.state) && measured.goes_on()) {
+    step(game().params, measured.state, events);
+    measured.see(events);
+  }
+  const std::string line = measured.line(game().params, false).text;
   EXPECT_EQ(std::ranges::count(line, '\n'), 1);
   EXPECT_TRUE(line.ends_with('\n'));
   const Json json = Json::parse(line), report = to_json(short_game(game().params, 2), game().params.rules.players);
