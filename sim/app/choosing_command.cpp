@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
@@ -156,17 +157,17 @@ class ChoosingCommand final : public Command {
     Trial trial{.halves = {Gains(count), Gains(count)}, .errors = Gains(count)};
     std::vector<double> squares(count);
     const int each = futures_ / 2;
-    for (int future = 0; future < 2 * each; ++future) {
-      int lead_of_first = 0;
-      for (std::size_t strategy = 0; strategy < count; ++strategy) {
-        State now = state;
-        now.world.key = {key.seed + static_cast<std::uint64_t>(future)};
-        begin_anew(now);
-        play_on(playbook.params[strategy], now, ticks(static_cast<float>(period_)));
-        begin_anew(now);
-        play_on(playbook.params.front(), now, kAfter);
-        if (strategy == 0) lead_of_first = lead(now);
-        const double gain = lead(now) - lead_of_first;
+    std::vector<int> leads_of_first;
+    for (std::size_t strategy = 0; strategy < count; ++strategy) {
+      std::vector<State> futures(2 * static_cast<std::size_t>(each), state);
+      for (std::size_t future = 0; future < futures.size(); ++future) futures[future].world.key = {key.seed + future};
+      std::ranges::for_each(futures, begin_anew);
+      play_on(playbook.params[strategy], futures, ticks(static_cast<float>(period_)));
+      std::ranges::for_each(futures, begin_anew);
+      play_on(playbook.params.front(), futures, kAfter);
+      if (strategy == 0) std::ranges::transform(futures, std::back_inserter(leads_of_first), lead);
+      for (std::size_t future = 0; future < futures.size(); ++future) {
+        const double gain = lead(futures[future]) - leads_of_first[future];
         trial.halves[future % 2][strategy] += gain / each;
         squares[strategy] += gain * gain;
       }

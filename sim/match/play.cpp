@@ -1,5 +1,7 @@
 #include "sim/match/play.h"
 
+#include <algorithm>
+
 namespace sim {
 namespace {
 
@@ -47,6 +49,18 @@ Result result_of(const State& state, const Result& decided) {
 }
 
 Result play_on(const Params& params, State& state, Tick most) { return play_on(params, state, most, Result{}); }
+
+void play_on(const Params& params, std::span<State> games, Tick most) {
+  std::array<referee::Events, kMostGames> events;
+  for (; !games.empty(); games = games.subspan(std::min(games.size(), kMostGames))) {
+    std::vector<State*> playing;
+    for (State& game : games.first(std::min(games.size(), kMostGames))) playing.push_back(&game);
+    for (Tick tick = 0; tick < most; ++tick) {
+      std::erase_if(playing, [](const State* game) { return finished(*game); });
+      step_many(params, playing, {events.data(), playing.size()});
+    }
+  }
+}
 
 Result play_game(const Params& params, RandomKey key) {
   Result result{};

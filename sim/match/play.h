@@ -95,6 +95,9 @@ void play_many(const Params& params, std::size_t together, Next&& next) {
 /// Plays on to the end of the game, for at most `most` ticks. The result counts the events of this part only.
 Result play_on(const Params& params, State& state, Tick most = kNever);
 
+/// Plays several games on, side by side, each for at most `most` ticks.
+void play_on(const Params& params, std::span<State> games, Tick most);
+
 /// Plays a whole game.
 Result play_game(const Params& params, RandomKey key);
 

@@ -93,6 +93,21 @@ TEST(SideBySide, MoreGamesThanAPassTakes) {
   }
 }
 
+TEST(SideBySide, GamesArePlayedOnToTheirEndsOrForAWhile) {
+  const auto setup = setup_of(choice_of("spl2012", "baseline", "match"), 60);
+  std::vector<State> games;
+  for (const Game& game : games_of(setup.params, static_cast<int>(kMostGames) + 3)) games.push_back(game.state);
+  play_on(setup.params, games[1]);
+  std::vector<State> alone = games;
+  play_on(setup.params, games, 200);
+  for (std::size_t i = 0; i < games.size(); ++i) {
+    play_on(setup.params, alone[i], 200);
+    ASSERT_EQ(hash_of(games[i]), hash_of(alone[i])) << i;
+  }
+  EXPECT_TRUE(finished(games[1]));
+  EXPECT_FALSE(finished(games[0]));
+}
+
 TEST(SideBySide, NarrowAndWideLanesPlayTheSameGame) {
   const auto setup = setup_of(choice_of("spl2012", "baseline", "match"), 60);
   std::vector<Game> wide = games_of(setup.params, 9), narrow = wide;
