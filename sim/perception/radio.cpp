@@ -49,6 +49,7 @@ Transmission transmit(const Model& model, const Effects& effects, const World& w
     static_assert(agent::kMaxMates <= 6);
     const auto chance = static_cast<std::uint32_t>(model.radio.loss * 0x1p16f);
     std::uint32_t lost = 0;
+#pragma GCC unroll 6
     for (std::uint32_t mate = 0; mate < agent::kMaxMates; ++mate) {
       const std::uint32_t luck = words[1 + mate / 2] >> (16 * (mate % 2)) & 0xffff;
       lost |= static_cast<std::uint32_t>(luck < chance) << mate;

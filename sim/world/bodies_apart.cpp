@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -17,16 +18,6 @@ constexpr float kMargin = 0.1f;
 constexpr int kMostPasses = 2000;
 // [1/m] Shifts are summed as whole numbers of 1 / kUnits, so that the sum does not depend on the order.
 constexpr float kUnits = 0x1p24f;
-
-/// The robots as circles, which the passes shift. A removed robot is far from everything.
-struct Circles {
-  int count = 0;
-  float x[kMaxRobots];
-  float y[kMaxRobots];
-  float radius[kMaxRobots];
-
-  Vec2 middle(int i) const { return {x[i], y[i]}; }
-};
 
 /// The things that do not give way: posts and the walking referee.
 struct Things {
@@ -62,21 +53,22 @@ struct Shifts {
     x[i] += static_cast<std::int32_t>(shift.x * kUnits);
     y[i] += static_cast<std::int32_t>(shift.y * kUnits);
   }
+  Vec2 of(int i) const { return {static_cast<float>(x[i]) * (1 / kUnits), static_cast<float>(y[i]) * (1 / kUnits)}; }
 };
 
 float radius_of(const ContactModel& contact, const Body& body) {
   return lies(body) ? contact.lying_radius : contact.robot_radius;
 }
 
-Circles circles_of(const ContactModel& contact, const Crowd& crowd, const World& world) {
-  Circles circles;
-  circles.count = crowd.count;
-  for (int i = 0; i < crowd.count; ++i) {
-    circles.x[i] = crowd.x[i];
-    circles.y[i] = crowd.y[i];
-    circles.radius[i] = radius_of(contact, world.bodies[crowd.robot(i)]);
-  }
-  return circles;
+/// The radii of all robots [m], by their index in the crowd.
+struct Radii {
+  float of[kMaxRobots];
+};
+
+Radii radii_of(const ContactModel& contact, const Crowd& crowd, const World& world) {
+  Radii radii;
+  for (int i = 0; i < crowd.count; ++i) radii.of[i] = radius_of(contact, world.bodies[crowd.robot(i)]);
+  return radii;
 }
 
 /// The squared distances of middles [m²] below which a gap may be less than `margin`, if all
@@ -93,68 +85,39 @@ Limits limits_of(const Things& things, float largest, float margin) {
           squared(largest + things.official_radius + margin)};
 }
 
-/// The robots that may touch something, by their index in the crowd.
-struct Hits {
-  bool any = false;
-  std::uint32_t robots[Crowd::kRoom];  // number of robots up to the end of its block that may touch it, and itself
-  std::uint32_t things[Crowd::kRoom];  // 1: a thing may touch it
-};
-
-/// Finds the robots that may touch anything. It is fast: it tests a block at a time.
-Hits hits_of(const Things& things, const Crowd& crowd, const Limits& limits) {
-  Hits hits;
-  std::uint32_t sum[Crowd::kBlock] = {};
-  const bool official = is_there(things.official);
-  const auto each_lane = [](auto&& see) {
-    for (int lane = 0; lane < Crowd::kBlock; ++lane) see(lane);
-  };
+/// Returns those whose gap may be less than the margin of the limits. It is fast, because it runs in most ticks: it tests
+/// each robot with the one that is some places further on, a block at a time.
+Neighbours neighbours_of(const Things& things, const Crowd& crowd, const Limits& limits) {
+  std::uint32_t near[Crowd::kRoom];  // bit 0: a thing is near; bit n: the robot n places further on is
   for (int block = 0; block < crowd.count; block += Crowd::kBlock) {
-    const auto is_near = [&](int lane, Vec2 place, float limit) {
-      return squared_length(crowd.middle(block + lane) - place) < limit ? 1u : 0u;
+    std::uint32_t bits[Crowd::kBlock];
+    const auto each_lane = [&](auto&& see) {
+      for (int lane = 0; lane < Crowd::kBlock; ++lane) see(lane, crowd.middle(block + lane));
     };
-    std::uint32_t robots[Crowd::kBlock] = {}, at_things[Crowd::kBlock];
-    each_lane([&](int lane) {
-      at_things[lane] = squared_length(things.from_post(crowd.middle(block + lane))) < limits.post ? 1u : 0u;
-    });
-    if (official)
-      each_lane([&](int lane) { at_things[lane] |= is_near(lane, things.official.position, limits.official); });
-    const int end = std::min(block + Crowd::kBlock, crowd.count);
-    for (int i = 0; i < end; ++i)
-      each_lane([&, own = crowd.middle(i)](int lane) { robots[lane] += is_near(lane, own, limits.robots); });
-    each_lane([&](int lane) {
-      hits.robots[block + lane] = robots[lane];
-      hits.things[block + lane] = at_things[lane];
-      sum[lane] += robots[lane] + at_things[lane];
-    });
+    each_lane(
+        [&](int lane, Vec2 middle) { bits[lane] = squared_length(things.from_post(middle)) < limits.post ? 1u : 0u; });
+    if (is_there(things.official))
+      each_lane([&](int lane, Vec2 middle) {
+        bits[lane] |= squared_length(middle - things.official.position) < limits.official ? 1u : 0u;
+      });
+    for (int further = 1; 2 * further <= crowd.count; ++further)
+      each_lane([&](int lane, Vec2 middle) {
+        const Vec2 apart = crowd.middle(block + lane + further) - middle;
+        bits[lane] |= (squared_length(apart) < limits.robots ? 1u : 0u) << further;
+      });
+    each_lane([&](int lane, Vec2) { near[block + lane] = bits[lane]; });
   }
-  // each robot counts once as near itself
-  hits.any = sum[0] + sum[1] + sum[2] + sum[3] > static_cast<std::uint32_t>(crowd.count);
-  return hits;
-}
 
-/// Finds the pairs and the robots near things among the hits.
-void find_neighbours(const Crowd& crowd, const Hits& hits, const Limits& limits, Neighbours& near) {
-  for (int j = 0; j < crowd.count; ++j) {
-    if (hits.things[j] != 0) near.at_thing[near.at_things++] = static_cast<std::uint8_t>(j);
-    if (hits.robots[j] < 2) continue;
-    for (int i = 0; i < j; ++i)
-      if (squared_length(crowd.middle(j) - crowd.middle(i)) < limits.robots) near.add(i, j);
-  }
-}
-
-/// Returns those whose gap may be less than kMargin.
-Neighbours neighbours_of(const Things& things, const Circles& circles, float largest) {
-  const Limits limits = limits_of(things, largest, kMargin);
-  Neighbours near;
-  for (int i = 0; i < circles.count; ++i) {
-    const Vec2 middle = circles.middle(i);
-    for (int j = i + 1; j < circles.count; ++j)
-      if (squared_length(circles.middle(j) - middle) < limits.robots) near.add(i, j);
-    if (squared_length(things.from_post(middle)) < limits.post ||
-        squared_length(middle - things.official.position) < limits.official)
-      near.at_thing[near.at_things++] = static_cast<std::uint8_t>(i);
-  }
-  return near;
+  Neighbours neighbours;
+  for (int i = 0; i < crowd.count; ++i)
+    for (std::uint32_t bits = near[i]; bits != 0; bits &= bits - 1) {
+      const int further = std::countr_zero(bits);
+      if (further == 0)
+        neighbours.at_thing[neighbours.at_things++] = static_cast<std::uint8_t>(i);
+      else if (2 * further < crowd.count || i < further)  // those opposite would be found twice
+        neighbours.add(i, (i + further) % crowd.count);
+    }
+  return neighbours;
 }
 
 /// Reports whether a body walks in a direction within 60° of the other one.
@@ -223,22 +186,20 @@ Vec2 missing(Vec2 apart, float reach, Vec2 otherwise, Shifts& shifts) {
 }
 
 /// Returns the shift that each robot needs, given the places of all.
-Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours& near) {
+Shifts shifts_of(const Things& things, const Crowd& crowd, const Radii& radii, const Neighbours& near) {
   Shifts shifts;
   for (int pair = 0; pair < near.pairs; ++pair) {
     const int i = near.first[pair], j = near.second[pair];
-    const Vec2 half =
-        0.5f * missing(circles.middle(j) - circles.middle(i), circles.radius[i] + circles.radius[j], {1, 0}, shifts);
+    const Vec2 half = 0.5f * missing(crowd.middle(j) - crowd.middle(i), radii.of[i] + radii.of[j], {1, 0}, shifts);
     shifts.add(i, -half);
     shifts.add(j, half);
   }
   for (int index = 0; index < near.at_things; ++index) {
     const int i = near.at_thing[index];
-    const Vec2 middle = circles.middle(i);
-    const Vec2 folded = missing(things.from_post(middle), circles.radius[i] + things.post_radius, {-1, 0}, shifts);
+    const Vec2 middle = crowd.middle(i);
+    const Vec2 folded = missing(things.from_post(middle), radii.of[i] + things.post_radius, {-1, 0}, shifts);
     shifts.add(i, {std::copysign(1.f, middle.x) * folded.x, std::copysign(1.f, middle.y) * folded.y});
-    shifts.add(i,
-               missing(middle - things.official.position, circles.radius[i] + things.official_radius, {1, 0}, shifts));
+    shifts.add(i, missing(middle - things.official.position, radii.of[i] + things.official_radius, {1, 0}, shifts));
   }
   return shifts;
 }
@@ -246,30 +207,28 @@ Shifts shifts_of(const Things& things, const Circles& circles, const Neighbours&
 /// Parts robots of which some overlap. Not inline, because it is rare.
 [[gnu::noinline]] void part(const ContactModel& contact, const Things& things, float largest, Crowd& crowd,
                             World& world) {
-  Circles circles = circles_of(contact, crowd, world);
-  Neighbours near = neighbours_of(things, circles, largest);
+  const Radii radii = radii_of(contact, crowd, world);
+  const Limits limits = limits_of(things, largest, kMargin);
+  Neighbours near = neighbours_of(things, crowd, limits);
 
   // shift all robots together, pass after pass, until no overlap is left
   float moved = 0;
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    const Shifts shifts = shifts_of(things, circles, near);
+    const Shifts shifts = shifts_of(things, crowd, radii, near);
     if (shifts.worst <= kTolerance) break;
     std::int32_t farthest = 0;
-    for (int i = 0; i < circles.count; ++i) {
-      circles.x[i] += static_cast<float>(shifts.x[i]) * (1 / kUnits);
-      circles.y[i] += static_cast<float>(shifts.y[i]) * (1 / kUnits);
+    for (int i = 0; i < crowd.count; ++i) {
+      crowd.place(i, crowd.middle(i) + shifts.of(i));
       farthest = std::max(farthest, std::abs(shifts.x[i]) + std::abs(shifts.y[i]));
     }
     moved += static_cast<float>(farthest) * (1 / kUnits);
     if (moved <= kMargin / 2) continue;
-    near = neighbours_of(things, circles, largest);
+    near = neighbours_of(things, crowd, limits);
     moved = 0;
   }
-  for (int i = 0; i < circles.count; ++i) {
-    crowd.x[i] = circles.x[i];
-    crowd.y[i] = circles.y[i];
+  for (int i = 0; i < crowd.count; ++i) {
     Body& body = world.bodies[crowd.robot(i)];
-    if (body.doing != Body::Doing::removed) body.position = circles.middle(i);
+    if (body.doing != Body::Doing::removed) body.position = crowd.middle(i);
   }
 }
 
@@ -280,12 +239,9 @@ void keep_bodies_apart(const field::Field& field, const ContactModel& contact, C
   const float largest =
       crowd.somebody_lies ? std::max(contact.lying_radius, contact.robot_radius) : contact.robot_radius;
   const Limits limits = limits_of(things, largest, kTouch);
-  const Hits hits = hits_of(things, crowd, limits);
-  const bool counted = std::exchange(world.crowded, hits.any);
+  const Neighbours near = neighbours_of(things, crowd, limits);
+  const bool counted = std::exchange(world.crowded, near.pairs + near.at_things > 0);
   if (!world.crowded && !counted) return;
-
-  Neighbours near;
-  if (world.crowded) find_neighbours(crowd, hits, limits, near);
   count_touches(contact, crowd, near, world);
   if (overlap(contact, things, crowd, near, world)) part(contact, things, largest, crowd, world);
 }

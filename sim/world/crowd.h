@@ -10,11 +10,11 @@ namespace sim {
 /// The positions of all robots, home 1.., then away 1... A removed robot is far from everything.
 struct Crowd {
   static constexpr int kBlock = 4;  // robots tested together, in vector registers
-  static constexpr int kRoom = (kMaxRobots + kBlock - 1) / kBlock * kBlock;
+  static constexpr int kRoom = 24;  // kMaxRobots, the rest of their last block, and half as many again
 
   int count = 0;  // both sides
   bool somebody_lies = false;
-  float x[kRoom];  // [m, field]; the last block is filled up with places far from everything
+  float x[kRoom];  // [m, field]; after the last robot they begin anew with the first
   float y[kRoom];
 
   Vec2 middle(int i) const { return {x[i], y[i]}; }
@@ -30,8 +30,11 @@ struct Crowd {
     return (hits[0] | hits[1] | hits[2] | hits[3]) != 0;
   }
 
-  /// Places a robot far from everything, also from other robots with such a place.
-  void take_away(int i) { x[i] = 1e6f * static_cast<float>(i + 2), y[i] = 0; }
+  /// Moves a robot to `place` [m, field].
+  void place(int i, Vec2 place) {
+    x[i] = place.x, y[i] = place.y;
+    if (i + count < kRoom) x[i + count] = place.x, y[i + count] = place.y;
+  }
 };
 
 /// Returns the robots of `world`.
@@ -43,12 +46,17 @@ inline Crowd crowd_of(const World& world) {
     crowd.x[i] = body.position.x;
     crowd.y[i] = body.position.y;
     if (body.doing < Body::Doing::fallen) return;
+    // far from everything, also from other removed robots
     if (lies(body))
       crowd.somebody_lies = true;
     else
-      crowd.take_away(i);
+      crowd.x[i] = 1e6f * static_cast<float>(i + 2), crowd.y[i] = 0;
   });
-  for (int i = crowd.count; i % Crowd::kBlock != 0; ++i) crowd.take_away(i);
+  const int blocks = (crowd.count + Crowd::kBlock - 1) / Crowd::kBlock;
+  for (int i = crowd.count; i < blocks * Crowd::kBlock + crowd.count / 2; ++i) {
+    crowd.x[i] = crowd.x[i - crowd.count];
+    crowd.y[i] = crowd.y[i - crowd.count];
+  }
   return crowd;
 }
 
