@@ -1,5 +1,6 @@
-// sim_cost [GAMES [together]]: the cost of a spl2012 game and of a State, as one line of JSON. With `together`, all games
-// are played side by side. Needs only the standard library.
+// sim_cost [GAMES [together [narrow]]]: the cost of a spl2012 game and of a State, as one line of JSON. With `together`, all
+// games are played side by side, and with `narrow` in lanes that each processor of this kind has. Needs only the standard
+// library.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 
 #include "sim/app/cycles.h"
 #include "sim/io/matchup.h"
+#include "sim/math/lanes.h"
 #include "sim/match/play.h"
 
 namespace {
@@ -39,9 +41,10 @@ double copy_ns(const Params& params) {
 
 int main(int count, char** words) {
   const int games = count > 1 ? std::atoi(words[1]) : 20;
-  const bool together = count == 3 && std::strcmp(words[2], "together") == 0;
-  if (games < 1 || count > (together ? 3 : 2)) {
-    std::fprintf(stderr, "sim_cost: expected how many games, at least 1, and perhaps 'together', got '%s'\n",
+  const auto is = [&](int index, const char* word) { return count > index && std::strcmp(words[index], word) == 0; };
+  const bool together = is(2, "together"), narrow = together && is(3, "narrow");
+  if (games < 1 || count > (narrow ? 4 : together ? 3 : 2)) {
+    std::fprintf(stderr, "sim_cost: expected how many games, at least 1, and perhaps 'together [narrow]', got '%s'\n",
                  count > 1 ? words[count - 1] : "");
     return 2;
   }
@@ -51,6 +54,7 @@ int main(int count, char** words) {
     return 2;
   }
 
+  only_narrow_lanes = narrow;
   play_game(prepared->params, {.seed = 0});  // warms the caches and the clock
   std::vector<double> game_ms, cycles;
   const auto measure = [&](int first, int number) {

@@ -89,7 +89,7 @@ Tick earliest_of(const State& state) {
   for_each_robot(world.players, [&](int robot) {
     const Tick move =
         schedule.turn[robot] == kNever ? kNever : world.tick + until_move(world.bodies[robot], world.tick);
-    earliest = std::min({earliest, move, schedule.radio[robot]});
+    earliest = std::min(earliest, std::min(move, schedule.radio[robot]));
   });
   return earliest;
 }
@@ -97,10 +97,12 @@ Tick earliest_of(const State& state) {
 /// Notes the penalties of the teammates. The GameController sends them to all robots, and the robot's own team link
 /// notes them likewise (robot/game/team_link.cpp). A mate that returns is active again with its next packet.
 void hear_penalties(const State& state, int robot, agent::Beliefs& beliefs) {
-  for (int mate = 0; mate + 1 < state.world.players; ++mate) {
-    const int index = robot_of(side_of(robot), agent::player_of_mate(player_of(robot), mate));
-    if (state.book.penalised_until[index] != 0) beliefs.mates[mate].active = false;
-  }
+  const Tick* const until = &state.book.penalised_until[robot_of(side_of(robot), 1)];
+  Tick anybody = 0;
+  for (int mate = 0; mate < kMaxPlayers; ++mate) anybody |= until[mate];
+  if (anybody == 0) return;
+  for (int mate = 0; mate + 1 < state.world.players; ++mate)
+    if (until[agent::player_of_mate(player_of(robot), mate) - 1] != 0) beliefs.mates[mate].active = false;
 }
 
 /// One robot of one game.
@@ -109,39 +111,45 @@ struct Actor {
   int robot;
 };
 
-/// A list of robots that are due in a tick, at most kMostGames * kMaxRobots.
+/// The robots that are due in a tick, by side. In each game the home side comes first.
 class Actors {
  public:
-  void add(State& state, int robot) { list_[count_++] = {&state, robot}; }
-  const Actor* begin() const { return list_.data(); }
-  const Actor* end() const { return list_.data() + count_; }
+  void add(State& state, int robot) {
+    List& list = lists_[static_cast<int>(side_of(robot))];
+    list.actors[list.count++] = {&state, robot};
+  }
+  std::span<const Actor> of(Side side) const {
+    const List& list = lists_[static_cast<int>(side)];
+    return {list.actors.data(), list.count};
+  }
 
  private:
-  std::array<Actor, kMostGames * kMaxRobots> list_;
-  std::size_t count_ = 0;
+  struct List {
+    std::size_t count = 0;
+    std::array<Actor, kMostGames * kMaxPlayers> actors;
+  };
+  List lists_[2];
 };
 
-/// Calls pass(models, actors) for the robots with the same models, at most kMostLooks at once. The order of the robots of
-/// a game is kept.
+/// Calls see(actor) for each robot.
+template <class See>
+void for_each_of(const Actors& actors, See&& see) {
+  for (const Side side : {Side::home, Side::away})
+    for (const Actor& actor : actors.of(side)) see(*actor.state, actor.robot);
+}
+
+/// Calls pass(models, actors) for robots with the same models that follow one another, at most kMostLooks at once.
 template <class Pass>
 void for_each_model(const Params& params, const Actors& actors, Pass&& pass) {
-  std::array<Actor, perception::kMostLooks> alike;
-  std::size_t count = 0;
-  const Models* models = nullptr;
-  const auto flush = [&] {
-    if (count > 0) pass(*models, std::span<const Actor>{alike.data(), count});
-    count = 0;
-  };
-  const auto take = [&](const Actor& actor, const Models& own) {
-    if (&own != models || count == alike.size()) flush();
-    models = &own;
-    alike[count++] = actor;
-  };
-  // one side after the other, so that their models change once
   for (const Side side : {Side::home, Side::away})
-    for (const Actor& actor : actors)
-      if (side_of(actor.robot) == side) take(actor, models_of(params, actor.robot));
-  flush();
+    for (std::span<const Actor> left = actors.of(side); !left.empty();) {
+      const Models& models = models_of(params, left.front().robot);
+      const std::size_t most = std::min(left.size(), perception::kMostLooks);
+      std::size_t alike = 1;
+      while (alike < most && &models_of(params, left[alike].robot) == &models) ++alike;
+      pass(models, left.first(alike));
+      left = left.subspan(alike);
+    }
 }
 
 /// Updates the beliefs from the world.
@@ -272,8 +280,8 @@ void act(const Params& params, Round& round, const Tracing& tracing) {
     round.bodies_move[i] = due.moves != 0;
   }
   perceive(params, turns);
-  for (const auto& [state, robot] : turns) think(params, *state, robot, tracing.of(robot));
-  for (const auto& [state, robot] : radios) talk(params, *state, robot);
+  for_each_of(turns, [&](State& state, int robot) { think(params, state, robot, tracing.of(robot)); });
+  for_each_of(radios, [&](State& state, int robot) { talk(params, state, robot); });
   move(params, moves);
 
   // until then `act` skips the game

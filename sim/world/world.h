@@ -19,7 +19,7 @@ constexpr Side other(Side side) { return side == Side::home ? Side::away : Side:
 
 constexpr Side side_of(int robot) { return robot < kMaxPlayers ? Side::home : Side::away; }
 /// Returns the player's number in its team, 1..7.
-constexpr int player_of(int robot) { return robot % kMaxPlayers + 1; }
+constexpr int player_of(int robot) { return (robot < kMaxPlayers ? robot : robot - kMaxPlayers) + 1; }
 constexpr int robot_of(Side side, int player) { return (side == Side::home ? 0 : kMaxPlayers) + player - 1; }
 
 /// The walking referee, if Effects::official is on. Frame: field.

@@ -1,5 +1,5 @@
 // Starts the programs of the benches and reads their reports.
-import { execFileSync, spawn } from "node:child_process";
+import { execFileSync, spawn, spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -71,6 +71,11 @@ export const cases = async (name, args = [], before = []) =>
 
 /** Reports whether the release build has a program of ours. */
 export const isBuilt = (name) => existsSync(join(builds, "release", "bin", name));
+
+/** Reports whether the kernel can start a program of ours: not all run those for 32-bit processors. */
+export const canStart = (name, preset) =>
+  // bash says so with status 126, other ways of starting it would take it for a script
+  spawnSync("bash", ["-c", 'exec "$0" 1', join(builds, preset, "bin", name)]).status !== 126;
 
 let sessions = 0;
 

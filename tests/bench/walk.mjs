@@ -60,7 +60,7 @@ async function walking(report, robots) {
     ["ranges 20 % wider", 1 / 3],
   ]) {
     const other = await played(name, robots * share, 10_000);
-    const most = (2 * poissonInterval(falls)[1]) / kilometres;
+    const most = Number(((2 * poissonInterval(falls)[1]) / kilometres).toFixed(1));
     tellFalls(report, name, other, name.startsWith("ranges") ? {} : { atMost: most });
   }
 
@@ -133,13 +133,14 @@ async function pushes(report, robots) {
       const [trials, falls] = ["trials_by_direction", "falls_by_direction"].map(byDirection);
       const upright = falls.map((count, i) => 1 - count / trials[i]);
       const worst = upright.indexOf(Math.min(...upright));
+      console.log(`   push ${impulse} ${state}: most falls to the ${kDirections[worst]}`);
       const all = sum(found, "trials");
       const fallen = sum(found, "falls");
       const name = `push ${impulse} N s, ${state}: upright, all directions`;
       report.figure(name, percent(1 - fallen / all), `% of ${all}`);
       tellInterval(report, name, binomialInterval(all - fallen, all), 100, "%");
       report.figure(
-        `push ${impulse} N s, ${state}: upright, worst direction (${kDirections[worst]})`,
+        `push ${impulse} N s, ${state}: upright, worst direction`,
         percent(upright[worst]),
         `% of ${trials[worst]}`,
         least ? { atLeast: percent(least) } : {},
