@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "sim/io/playbook.h"
+#include "sim/match/play.h"
 #include "sim/match/situation.h"
 #include "tests/sim/support/allocations.h"
 #include "tests/sim/support/games.h"
@@ -52,6 +53,32 @@ TEST(Race, TheSameBudgetGivesTheSameStatistics) {
     EXPECT_EQ(one.by_strategy[i].rollouts, other.by_strategy[i].rollouts);
     EXPECT_EQ(one.by_strategy[i].sum, other.by_strategy[i].sum);
   }
+}
+
+TEST(Race, AStripeIsTheFutureOfItsKeyThatIsPlayedAlone) {
+  const RaceFixture fixture({"baseline", "kick_now"});
+  const Task task = fixture.task({.until = Until::next_goal, .horizon = ticks(60)});
+  const RolloutStatistics statistics = run(task, 100);
+  ASSERT_EQ(statistics.stripes, 50);
+  std::int64_t played = 0;
+  for (const int i : {0, 1}) {
+    int goals[2] = {0, 0};
+    for (std::uint64_t stripe = 0; stripe < 50; ++stripe) {
+      State state = sample(*task.params[0], *task.situation, {task.key.seed + stripe});
+      const Tick end = state.world.tick + ticks(60);
+      const auto scored = [&] { return goals[0] + goals[1]; };
+      const int before = scored();
+      played += play(
+          *task.params[i], state, [&](const State& now) { return now.world.tick >= end || scored() > before; },
+          [&](const referee::Event& event) {
+            if (event.kind == referee::Event::Kind::goal) ++goals[static_cast<int>(event.side)];
+          });
+    }
+    EXPECT_EQ(statistics.by_strategy[i].scored, goals[0]);
+    EXPECT_EQ(statistics.by_strategy[i].conceded, goals[1]);
+    EXPECT_GT(goals[0] + goals[1], 0);
+  }
+  EXPECT_EQ(statistics.ticks, played);
 }
 
 TEST(Race, AStrategyGainsNothingOverItself) {
