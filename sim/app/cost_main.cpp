@@ -9,8 +9,8 @@
 
 #include "sim/app/cycles.h"
 #include "sim/io/matchup.h"
-#include "sim/math/lanes.h"
 #include "sim/match/play.h"
+#include "sim/math/lanes.h"
 
 namespace {
 

@@ -27,9 +27,9 @@ class LineGame {
   bool goes_on();
   /// Counts the decisions of the last step.
   void see(const referee::Events& events);
-  /// Returns the figures after the last step: those of a report, the time of the first goal, the number of balls out, each
-  /// robot's share of time with the ball in view, and those of a Census. With `shoot_out` a drawn game has a penalty
-  /// shoot-out.
+  /// Returns the figures after the last step: those of a report, the time of the first goal, and the number of balls out.
+  /// Each robot's share of time with the ball in view and the figures of a Census follow. With `shoot_out` a drawn game has
+  /// a penalty shoot-out.
   GameLine line(const Params& params, bool shoot_out) const;
 
  private:

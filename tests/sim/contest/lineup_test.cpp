@@ -55,10 +55,12 @@ TEST(Lineup, AStrategyThatIsNoFileKeepsItsOwnError) {
   EXPECT_EQ(refusal("no/such.py").find("strategy 'no/such.py': "), 0u) << refusal("no/such.py");
 }
 
-/// A game of a series: two seconds, its hash, and who plays.
+/// A game of a series: two seconds.
 struct ShortGame {
   State state;
   int decisions = 0;
+
+  explicit ShortGame(const State& start) : state(start) {}
 
   bool goes_on() const { return state.world.tick < 60; }
   void see(const referee::Events& events) { decisions += events.count; }
