@@ -131,7 +131,7 @@ class Actors {
   List lists_[2];
 };
 
-/// Calls see(actor) for each robot.
+/// Calls see(state, robot) for each of these robots.
 template <class See>
 void for_each_of(const Actors& actors, See&& see) {
   for (const Side side : {Side::home, Side::away})
