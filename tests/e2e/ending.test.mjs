@@ -1,7 +1,7 @@
 // SIGTERM ends every program within a second, whatever it is doing.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { readFileSync, readlinkSync, truncateSync, writeFileSync } from "node:fs";
+import { readFileSync, readdirSync, truncateSync, writeFileSync } from "node:fs";
 import http from "node:http";
 import net from "node:net";
 import { join } from "node:path";
@@ -27,10 +27,17 @@ async function silentServer(t) {
   return server.address().port;
 }
 
-/** Whether foresight-lab runs as this process and takes SIGTERM itself. Until it runs, node blocks all signals there. */
-const takesEnd = (pid) =>
-  readlinkSync(`/proc/${pid}/exe`).endsWith("/foresight-lab") &&
-  (BigInt(`0x${/^SigBlk:\s*(\w+)/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]}`) & (1n << 14n)) !== 0n;
+/** The name of a thread, or "" when it has just ended. */
+function nameOf(pid, thread) {
+  try {
+    return readFileSync(`/proc/${pid}/task/${thread}/comm`, "utf8").trim();
+  } catch {
+    return "";
+  }
+}
+
+/** Whether the thread of a process that waits for SIGTERM runs. Before it, others block the signal only for a moment. */
+const takesEnd = (pid) => readdirSync(`/proc/${pid}/task`).some((thread) => nameOf(pid, thread) === "end");
 
 /** Adds a file of 40 GB, without a block on the disk, to a session. */
 function addLargeFile(session) {
