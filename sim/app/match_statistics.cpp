@@ -7,6 +7,7 @@
 #include "robot/core/files.h"
 #include "robot/core/json_library.h"
 #include "sim/app/commands.h"
+#include "sim/app/played_game.h"
 #include "sim/app/progress.h"
 #include "sim/contest/lineup_series.h"
 #include "sim/contest/repetition.h"
@@ -28,8 +29,7 @@ class FilmedGame {
  public:
   State state;
 
-  FilmedGame(const State& start, float seconds)
-      : state(start), end_(seconds > 0 ? state.world.tick + ticks(seconds) : kNever) {}
+  FilmedGame(const State& start, float seconds) : state(start), end_(end_of(state, seconds)) {}
 
   bool goes_on() {
     film_.look(state);

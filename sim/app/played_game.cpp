@@ -10,12 +10,8 @@
 #include "sim/match/step.h"
 
 namespace sim::app {
-namespace {
 
-/// Returns the last tick of a game of at most `seconds`; 0: no limit.
 Tick end_of(const State& state, float seconds) { return seconds > 0 ? state.world.tick + ticks(seconds) : kNever; }
-
-}  // namespace
 
 NotedGame::NotedGame(const contest::Cast& cast, const contest::Openings& openings, const GameWish& wish)
     : cast_(cast), wish_(wish), report_{.seed = wish.seed} {

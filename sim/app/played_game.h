@@ -31,6 +31,9 @@ struct GameWish {
 /// Returns the shortest length of a game; dead time makes it longer.
 Tick expected_ticks(const field::Rules& rules);
 
+/// Returns the tick at which a game ends that lasts at most `seconds` from now; 0: kNever.
+Tick end_of(const State& state, float seconds);
+
 /// A game, with notes of the referee's decisions. The cast outlives it.
 class NotedGame {
  public:

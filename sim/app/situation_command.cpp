@@ -39,9 +39,7 @@ class Continuation {
   bool goes_on() const { return state.world.tick < end_; }
   void see(const referee::Events& events) {
     for (const referee::Event& event : events) {
-      if (event.kind == Kind::out || event.kind == Kind::kick_in || event.kind == Kind::goal_kick ||
-          event.kind == Kind::corner_kick)
-        ++rollout_.outs;
+      if (referee::is_out(event.kind)) ++rollout_.outs;
       if (event.kind != Kind::goal || rollout_.first >= 0) continue;
       rollout_.first = static_cast<int>(event.side);
       rollout_.first_seconds = static_cast<double>(age(event.tick, start_.world.tick));

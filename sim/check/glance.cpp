@@ -1,5 +1,6 @@
 #include "sim/check/glance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -30,9 +31,7 @@ bool shoots(const Glance& glance) {
 
 template <class Is>
 bool any_event(const Glance& glance, Is&& is) {
-  for (int i = 0; i < glance.events->count; ++i)
-    if (is(glance.events->list[static_cast<std::size_t>(i)])) return true;
-  return false;
+  return std::ranges::any_of(*glance.events, is);
 }
 
 template <Side Whose>
@@ -49,10 +48,7 @@ bool is_penalised(const Glance& glance) {
 }
 
 bool leaves(const Glance& glance) {
-  return any_event(glance, [](const referee::Event& event) {
-    return event.kind == Kind::out || event.kind == Kind::kick_in || event.kind == Kind::goal_kick ||
-           event.kind == Kind::corner_kick;
-  });
+  return any_event(glance, [](const referee::Event& event) { return referee::is_out(event.kind); });
 }
 
 /// Returns the point as the home side sees it [m, team_field].

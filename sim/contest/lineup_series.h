@@ -21,11 +21,11 @@ struct Series {
   std::uint64_t first_seed = 0;
   int games = 0;
   int threads = 0;         // 0: threads_for(games)
-  Costs* costs = nullptr;  // unless it is null: receives the cost of all decisions
+  Costs* costs = nullptr;  // receives the cost of all decisions, if given
 };
 
-/// Returns how many games that follow one another share a cast: one if a side plays a behaviour from outside. Otherwise
-/// so many that they fill the lanes, and that each thread has several such parts.
+/// Returns the number of consecutive games that share a cast. It is 1 if a side plays a behaviour from outside. Otherwise
+/// it is at most twice kTogether, and each thread plays at least two such parts if there are enough games.
 int games_of_a_cast(const Lineup& lineup, const Series& series);
 
 /// Plays all games. begin(i, seed, cast) returns a std::unique_ptr of game i before its first step: a Game as play_many

@@ -25,12 +25,6 @@ RandomKey key_of_shot(RandomKey key, std::size_t number) {
   return {.seed = std::uint64_t{words[0]} << 32 | words[1]};
 }
 
-bool is_out(referee::Event::Kind kind) {
-  using Kind = referee::Event::Kind;
-  return kind == Kind::goal || kind == Kind::out || kind == Kind::kick_in || kind == Kind::goal_kick ||
-         kind == Kind::corner_kick;
-}
-
 }  // namespace
 
 const char* name_of(PenaltyShot::End end) {
@@ -71,10 +65,10 @@ PenaltyShot play_shot(const Params& params, RandomKey key, Side side) {
   shot.ticks = play(
       params, state, [&](const State& now) { return over || now.world.tick >= end; },
       [&](const referee::Event& event) {
-        if (over || !is_out(event.kind)) return;
+        const bool goal = event.kind == referee::Event::Kind::goal;
+        if (over || !(goal || referee::is_out(event.kind))) return;
         over = true;
-        const bool scored = event.kind == referee::Event::Kind::goal && event.side == side;
-        shot.end = scored ? PenaltyShot::End::goal : PenaltyShot::End::out;
+        shot.end = goal && event.side == side ? PenaltyShot::End::goal : PenaltyShot::End::out;
       });
   return shot;
 }

@@ -67,7 +67,8 @@ struct DrawLanes {
   }
 };
 
-/// For tests and benches: true limits all kernels to the vectors that each processor of this kind has. Set it while no game is played.
+/// For tests and benches: true limits all kernels to the vectors that each processor of this kind has. Set it while no
+/// game is played.
 inline bool only_narrow_lanes = false;
 
 namespace detail {

@@ -49,6 +49,12 @@ struct Event {
   agent::Game::SetPlay set_play = agent::Game::SetPlay::none;  // that ran until this decision
 };
 
+/// Reports whether the decision says that the ball left the field without a goal, by the rules of any year.
+constexpr bool is_out(Event::Kind kind) {
+  using Kind = Event::Kind;
+  return kind == Kind::out || kind == Kind::kick_in || kind == Kind::goal_kick || kind == Kind::corner_kick;
+}
+
 /// Returns the words for a report: "goal", "kick-in", ...
 const char* name_of(Event::Kind kind);
 

@@ -13,10 +13,6 @@ using Kind = referee::Event::Kind;
 
 double seconds(Tick ticks) { return static_cast<double>(ticks) / kTicksPerSecond; }
 
-bool is_out(Kind kind) {
-  return kind == Kind::out || kind == Kind::kick_in || kind == Kind::goal_kick || kind == Kind::corner_kick;
-}
-
 /// Returns how many set plays of each kind ended by a kick, and how many because their time was up.
 Json set_plays(const Result& result) {
   Json json;
@@ -41,7 +37,7 @@ bool LineGame::goes_on() {
 void LineGame::see(const referee::Events& events) {
   for (const referee::Event& event : events) {
     decided_.count(event);
-    if (is_out(event.kind)) ++outs_;
+    if (referee::is_out(event.kind)) ++outs_;
     if (event.kind == Kind::goal && !first_goal_) first_goal_ = event.tick;
   }
 }

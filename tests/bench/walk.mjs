@@ -60,7 +60,7 @@ async function walking(report, robots) {
     ["ranges 20 % wider", 1 / 3],
   ]) {
     const other = await played(name, robots * share, 10_000);
-    const most = Number(((2 * poissonInterval(falls)[1]) / kilometres).toFixed(1));
+    const most = Math.floor((10 * 2 * poissonInterval(falls)[1]) / kilometres) / 10;
     tellFalls(report, name, other, name.startsWith("ranges") ? {} : { atMost: most });
   }
 
