@@ -1,145 +1,38 @@
-// bench_walk CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...]: lets drawn robots of both servo classes walk, be pushed or stop, and prints
-// one line of JSON. LIBRARY has another walk (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours. Falls
-// are those of robots nobody tuned on, if no one has used the seeds before.
+// bench_walk CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...]: lets drawn robots of both servo classes walk, be pushed or
+// stop, and prints one line of JSON. CASE "falls" prints the table that foresight-sim plays with --falls. LIBRARY has another
+// walk (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours. Falls are those of robots nobody tuned on, if no
+// one has used the seeds before.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
-#include <map>
-#include <memory>
+#include <future>
 #include <nlohmann/json.hpp>
-#include <numbers>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "robot/app/build_id.h"
 #include "robot/core/result.h"
 #include "robot/nao/walk/named_parameters.h"
+#include "tests/walk/cases.h"
+#include "tests/walk/fall_table.h"
 #include "tests/walk/foreign_walk.h"
 #include "tests/walk/our_gait.h"
-#include "tests/walk/plans.h"
 
 namespace {
 
 using namespace robot::nao::walk;
 using Json = nlohmann::json;
 
-constexpr int kDirections = 8;
-
-/// Everything that a case changes.
-struct Case {
-  std::function<Plan(std::uint64_t seed, int repetition)> plan;
-  int repetitions = 1;  // of each robot
-  double turf = 0;      // [m]
-  double delay = 0;     // [s] more
-  double wider = 1;
-  bool ball = false;
-  Parameters parameters = {};
-};
-
-Plan steady(const Command& command, double duration) {
-  return {.duration = duration, .command = [=](double now) { return now < kStart ? Command{} : command; }};
-}
-
-/// One push in each of eight directions, at a random phase of a step.
-Case pushes(double impulse, const Command& command) {
-  return {.plan =
-              [=](std::uint64_t seed, int direction) {
-                Plan plan = steady(command, 8);
-                plan.pushes = {{3.5 + drawn(seed, static_cast<std::uint64_t>(direction)), impulse,
-                                direction * 2 * std::numbers::pi / kDirections}};
-                return plan;
-              },
-          .repetitions = kDirections};
-}
-
-/// New commands every 2 s, as in a game; a quarter of them to stand.
-Plan game_like(std::uint64_t seed, double duration) {
-  return {.duration = duration, .command = [=](double now) {
-            if (now < kStart) return Command{};
-            const auto number = 10 * static_cast<std::uint64_t>(now / 2);
-            const auto between = [&](std::uint64_t which, double low, double high) {
-              return low + (high - low) * drawn(seed, number + which);
-            };
-            if (between(0, 0, 1) < 0.25) return Command{};
-            Command command{between(1, -0.1, 0.2), between(2, -0.1, 0.1), between(3, -0.8, 0.8)};
-            if (between(4, 0, 1) < 0.4) command.left = command.turn = 0;
-            return command;
-          }};
-}
-
-Plan stopping(const Command& command) {
-  return {.duration = 8, .command = [=](double now) { return now < kStart || now >= 4.5 ? Command{} : command; }};
-}
-
-Case kicks(const PlannedKick& kick) {
-  return {.plan = [=](std::uint64_t seed, int) { return kick_plan(kick, seed); }, .ball = true};
-}
-
-Case constant(const Command& command, double duration = 40) {
-  return {.plan = [=](std::uint64_t, int) { return steady(command, duration); }};
-}
-
-Parameters open_loop() {
-  Parameters p;
-  p.rate_to_ankle_pitch = p.rate_to_ankle_roll = p.rate_to_hip_pitch = p.tilt_to_ankle_pitch = p.tilt_to_ankle_roll = 0;
-  p.catch_forward = p.catch_side = p.counter = 0;
-  p.earliest = p.latest = 1, p.hanging = 0, p.share = 2;  // the clock ends each step
-  p.lean_learning = p.speed_learning = p.heading_rate = p.lag_share = 0;
-  return p;
-}
-
-template <class Change>
-Case changed(Case original, Change&& change) {
-  change(original);
-  return original;
-}
-
-/// All cases by name.
-const std::map<std::string, Case>& cases() {
-  const Command ahead{.forward = 0.2}, slow{.forward = 0.15};
-  const auto with = [](Case original, auto member, auto value) {
-    original.parameters.*member = value;
-    return original;
-  };
-  static const std::map<std::string, Case> all = {
-      {"walk", constant(ahead)},
-      {"walk 0.25", constant({.forward = 0.25})},
-      {"backwards", constant({.forward = -0.1}, 20)},
-      {"sideways", constant({.left = 0.1}, 20)},
-      {"turning", constant({.turn = 0.8}, 20)},
-      {"game", {.plan = [](std::uint64_t seed, int) { return game_like(seed, 60); }}},
-      {"stop", {.plan = [=](std::uint64_t, int) { return stopping(ahead); }}},
-      {"push 1.2 walking", pushes(1.2, slow)},
-      {"push 1.2 standing", pushes(1.2, {})},
-      {"push 1.8 walking", pushes(1.8, slow)},
-      {"push 1.8 standing", pushes(1.8, {})},
-      {"push 2.4 walking", pushes(2.4, slow)},
-      {"push 2.4 standing", pushes(2.4, {})},
-      {"push 3.0 walking", pushes(3.0, slow)},
-      {"push 3.0 standing", pushes(3.0, {})},
-      {"kick forward", kicks({})},
-      {"kick side", kicks({KickStep::side, 0.05, 0.17})},
-      {"turf 8 mm", changed(constant(ahead, 18), [](Case& one) { one.turf = 0.008; })},
-      {"delay 40 ms", changed(constant(ahead), [](Case& one) { one.delay = 0.02; })},
-      {"ranges 20 % wider", changed(constant(ahead), [](Case& one) { one.wider = 1.2; })},
-      {"open loop", changed(constant(ahead), [](Case& one) { one.parameters = open_loop(); })},
-      {"without learned course", with(constant(ahead), &Parameters::learning, 0.0)},
-      {"without lag lead", with(constant(ahead), &Parameters::lag_share, 0.0)},
-      {"without counterweight", with(pushes(1.8, slow), &Parameters::counter, 0.0)},
-  };
-  return all;
-}
-
 /// The sums over the trials of one class.
 class Tally {
  public:
   void add(const Outcome& outcome, const Plan& plan, int repetition) {
-    // a robot that fell before its push proves nothing about the push
-    if (!plan.pushes.empty() && outcome.fell && outcome.time < plan.pushes.front().time) return;
     ++trials_;
     const bool fell = outcome.fell;
     falls_ += fell;
@@ -181,41 +74,14 @@ class Tally {
   std::vector<double> forward_, left_, turned_, last_step_, ball_speed_, until_fall_;
 };
 
-/// The walk under test.
-struct Tested {
-  Legs stand;
-  double hip_height;  // [m]
-  std::function<std::unique_ptr<Gait>()> begin;
-};
-
-Tested ours(const Parameters& parameters) {
-  return {stand(parameters), parameters.hip_height, [=] { return std::make_unique<OurGait>(parameters); }};
-}
-
-Tested theirs(const ForeignWalk& walk) {
-  return {walk.stand(), walk.hip_height(), [&walk] { return walk.begin(); }};
-}
-
 Json played(const Case& one, const Tested& tested, std::uint64_t first_seed, int robots) {
-  std::array<std::unique_ptr<Physics>, 2> physics;  // by the reading of the inertias
-  for (const bool about_origin : {false, true})
-    physics[about_origin] =
-        std::make_unique<Physics>(Scene{.turf = one.turf > 0, .ball = one.ball, .about_origin = about_origin});
   Json all;
   for (const Servos servos : {Servos::stiff, Servos::soft}) {
     Tally tally;
-    for (int i = 0; i < robots; ++i) {
-      const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
-      DrawnRobot robot = draw_robot(seed, servos, one.wider);
-      robot.turf = one.turf, robot.delay += one.delay;
-      for (int repetition = 0; repetition < one.repetitions; ++repetition) {
-        const std::unique_ptr<Gait> gait = tested.begin();
-        if (!gait) return nullptr;
-        const Plan plan = one.plan(seed, repetition);
-        tally.add(run(*physics[robot.about_origin], *gait, robot, seed, tested.stand, tested.hip_height, plan), plan,
-                  repetition);
-      }
-    }
+    const auto add = [&](const Outcome& outcome, const Plan& plan, int direction) {
+      tally.add(outcome, plan, direction);
+    };
+    if (!play(one, tested, servos, first_seed, robots, add)) return nullptr;
     all[servos == Servos::stiff ? "stiff" : "soft"] = tally.json();
   }
   return all;
@@ -237,7 +103,7 @@ Json cost() {
     bool steps() const override { return gait.steps(); }
   } recorder(frames, gait);
   run(physics, recorder, draw_robot(1, Servos::stiff), 1, stand(), Parameters{}.hip_height,
-      steady({.forward = 0.2}, 10));
+      constant({.forward = 0.2}, 10).plan(1, 0));
   Walk walk;
   const auto begin = std::chrono::steady_clock::now();
   constexpr int kRounds = 50;
@@ -256,8 +122,8 @@ int refuse(const std::string& sentence) {
 std::string usage(const std::string& got) {
   std::string names;
   for (const auto& [name, one] : cases()) names.append(names.empty() ? "" : ", ").append(name);
-  return "expected CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...], or cost; cases are " + names + "; got '" + got +
-         "'";
+  return "expected CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...], or cost; cases are falls, " + names + "; got '" +
+         got + "'";
 }
 
 /// Changes parameters by words such as "lift=0.02".
@@ -275,6 +141,32 @@ robot::Result<void> change(Parameters& parameters, std::span<char*> words) {
   return {};
 }
 
+/// Returns the table of falls, or nothing if the walk gives no gait. The classes are played at once.
+std::optional<std::string> table_of(const Tested& tested, const Origin& origin) {
+  const auto counted = [&](Servos servos) {
+    return std::async(std::launch::async,
+                      [&, servos] { return count_falls(tested, servos, origin.first_seed, origin.robots); });
+  };
+  std::future<std::optional<FallCounts>> stiff = counted(Servos::stiff), soft = counted(Servos::soft);
+  std::optional<FallCounts> first = stiff.get(), second = soft.get();
+  if (!first || !second) return {};
+  return fall_table(origin, {std::move(*first), std::move(*second)});
+}
+
+/// Plays the case and prints what it found.
+int print(const std::string& name, const Tested& tested, const Origin& origin) {
+  if (name == "falls") {
+    const auto table = table_of(tested, origin);
+    if (!table) return refuse(origin.walk + ": expected a walk from foresight_walk_begin, got none");
+    std::fputs(table->c_str(), stdout);
+    return 0;
+  }
+  const Json all = played(cases().at(name), tested, origin.first_seed, origin.robots);
+  if (all.is_null()) return refuse(origin.walk + ": expected a walk from foresight_walk_begin, got none");
+  std::printf("%s\n", all.dump().c_str());
+  return 0;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -285,19 +177,21 @@ int main(int count, char** words) {
   }
   const auto found = cases().find(name);
   const int robots = count >= 4 ? std::atoi(words[3]) : 0;
-  if (found == cases().end() || robots < 1) return refuse(usage(name));
-  const std::uint64_t first_seed = std::strtoull(words[2], nullptr, 10);
+  if ((found == cases().end() && name != "falls") || robots < 1) return refuse(usage(name));
+  Origin origin{.walk = "ours",
+                .parameters = "",
+                .build = std::string(robot::app::kBuildId),
+                .first_seed = std::strtoull(words[2], nullptr, 10),
+                .robots = robots};
   const bool is_library = count == 5 && std::string_view(words[4]).find('=') == std::string_view::npos;
   if (!is_library) {
-    Parameters parameters = found->second.parameters;
+    Parameters parameters = found == cases().end() ? Parameters{} : found->second.parameters;
     if (const auto changed = change(parameters, {words + 4, words + count}); !changed) return refuse(changed.error());
-    std::printf("%s\n", played(found->second, ours(parameters), first_seed, robots).dump().c_str());
-    return 0;
+    origin.parameters = hash_of(parameters);
+    return print(name, ours(parameters), origin);
   }
   const auto library = ForeignWalk::load(words[4]);
   if (!library) return refuse(library.error());
-  const Json all = played(found->second, theirs(*library), first_seed, robots);
-  if (all.is_null()) return refuse(std::string(words[4]) + ": expected a walk from foresight_walk_begin, got none");
-  std::printf("%s\n", all.dump().c_str());
-  return 0;
+  origin.walk = words[4];
+  return print(name, theirs(*library), origin);
 }

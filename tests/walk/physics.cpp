@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <string>
 
 namespace robot::nao::walk {
@@ -24,8 +25,10 @@ constexpr std::array<const char*, kLegJoints> kNames = {"HipYawPitch", "HipRoll"
 constexpr std::array<double, kLegJoints> kSpeed = {4.16, 4.16, 6.4, 6.4, 6.4, 4.16};      // [rad/s]
 constexpr std::array<double, kLegJoints> kTorque = {13.69, 13.69, 8.9, 8.9, 8.9, 13.69};  // [N m]
 
-/// Loads the model through a file in memory.
+/// Loads the model through a file in memory. One thread at a time: the table of files is too large for a stack.
 mjModel* load(const std::string& xml) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   static mjVFS files;
   mj_defaultVFS(&files);
   mj_makeEmptyFileVFS(&files, "nao.xml", static_cast<int>(xml.size()));

@@ -1,0 +1,71 @@
+// How often a walk falls, as a table that the simulator plays (sim/motion/fall_table.h).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tests/walk/cases.h"
+
+namespace robot::nao::walk {
+
+/// The falls among some trials.
+struct Trials {
+  int trials = 0;
+  int falls = 0;
+};
+
+/// Pushes of one strength, by their direction.
+struct Pushed {
+  double impulse = 0;  // [N s]
+  std::array<Trials, kDirections> to;
+};
+
+/// The falls of one gait without pushes.
+struct Walked {
+  std::string_view gait;  // a name in sim::motion::FallRates
+  int falls = 0;
+  double minutes = 0;
+};
+
+/// All trials of the robots of one class.
+struct FallCounts {
+  std::vector<Walked> walks;
+  std::vector<Pushed> standing, walking;
+};
+
+/// Which pushes topple a robot. The logarithm of the odds of a fall rises by `slope` with that of the impulse.
+struct Toppling {
+  double slope = 0;
+  std::array<double, kDirections> half{};  // [N s] topples half of the robots
+};
+
+/// Fits the toppling to the counts: a penalised logistic regression, in which all directions share the slope. The penalties
+/// are those of normal priors: slope 6 ± 3; the mean impulse that topples half 2.4 N s, times or by exp(3 / slope); the
+/// directions differ from the mean by a factor of exp(1.5 / slope). They count where nearly all robots fall, or nearly none.
+Toppling fit_toppling(const std::vector<Pushed>& pushes);
+
+/// Counts the falls of `robots` robots of this class. Nothing if the walk gives no gait.
+std::optional<FallCounts> count_falls(const Tested& tested, Servos servos, std::uint64_t first_seed, int robots);
+
+/// What the counts come from.
+struct Origin {
+  std::string walk;        // "ours", or the library
+  std::string parameters;  // a hash of ours; "" for a library
+  std::string build;       // the commit of the harness
+  std::uint64_t first_seed = 0;
+  int robots = 0;  // of each class
+};
+
+/// Returns the table as JSON, with the counts: one entry a line. `counts` by Servos.
+std::string fall_table(const Origin& origin, const std::array<FallCounts, 2>& counts);
+
+/// Returns a hash of the parameters of our walk: another one means another walk.
+std::string hash_of(const Parameters& parameters);
+
+}  // namespace robot::nao::walk
