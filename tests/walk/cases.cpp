@@ -11,6 +11,9 @@
 namespace robot::nao::walk {
 namespace {
 
+constexpr double kShove = 0.64;  // [N s] of two robots of 5.3 kg that close in at 0.2 m/s and part at a fifth of that
+constexpr double kShoveEvery = 0.27;  // [s] a step of the one that pushes
+
 Plan steady(const Command& command, double duration) {
   return {.duration = duration, .command = [=](double now) { return now < kStart ? Command{} : command; }};
 }
@@ -66,6 +69,18 @@ Case pushes(double impulse, const Command& command) {
           .repetitions = kDirections};
 }
 
+Case shoves(const Command& command) {
+  return {.plan =
+              [=](std::uint64_t seed, int direction) {
+                Plan plan = steady(command, 10);
+                const double first = kShoved + kShoveEvery * drawn(seed, static_cast<std::uint64_t>(direction));
+                for (double time = first; time < plan.duration; time += kShoveEvery)
+                  plan.pushes.push_back({time, kShove, direction * 2 * std::numbers::pi / kDirections});
+                return plan;
+              },
+          .repetitions = kDirections};
+}
+
 Case constant(const Command& command, double duration) {
   return {.plan = [=](std::uint64_t, int) { return steady(command, duration); }};
 }
@@ -92,6 +107,8 @@ const std::map<std::string, Case>& cases() {
       {"push 2.4 standing", pushes(2.4, {})},
       {"push 3.0 walking", pushes(3.0, slow)},
       {"push 3.0 standing", pushes(3.0, {})},
+      {"shoved walking", shoves(slow)},
+      {"shoved standing", shoves({})},
       {"kick forward", kicks({})},
       {"kick side", kicks({KickStep::side, 0.05, 0.17})},
       {"turf 8 mm", changed(constant(ahead, 18), [](Case& one) { one.turf = 0.008; })},

@@ -28,6 +28,10 @@ struct Case {
 
 /// One push of `impulse` [N s] in each of eight directions, at a random phase of a step, while the robot obeys `command`.
 Case pushes(double impulse, const Command& command);
+/// Small pushes again and again, from kShoved [s] on, while the robot obeys `command`: another robot walks at 0.2 m/s and runs
+/// into it with each step. The eight directions are eight trials.
+Case shoves(const Command& command);
+inline constexpr double kShoved = 2;  // [s]
 /// The same command for `duration` [s], after a moment in which the robot stands.
 Case constant(const Command& command, double duration = 40);
 /// Returns all cases of the bench by name.

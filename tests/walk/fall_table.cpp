@@ -16,12 +16,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kImpulses[] = {1.2, 1.8, 2.4, 3.0, 4.0};  // [N s]
 
-struct NamedGait {
+struct NamedCommand {
   const char* name;
   Command command;
 };
 
-constexpr NamedGait kGaits[] = {
+constexpr NamedCommand kManners[] = {
     {"standing", {}},
     {"slow", {.forward = 0.1}},
     {"ahead", {.forward = 0.2}},
@@ -129,13 +129,22 @@ std::optional<FallCounts> count_falls(const Tested& tested, Servos servos, std::
   FallCounts counts;
   std::uint64_t seed = first_seed;  // each case has robots of its own
   const auto seeds = [&] { return std::exchange(seed, seed + static_cast<std::uint64_t>(robots)); };
-  for (const auto& [name, command] : kGaits) {
-    Walked& walked = counts.walks.emplace_back(Walked{.gait = name});
+  for (const auto& [name, command] : kManners) {
+    Walked& walked = counts.walks.emplace_back(Walked{.manner = name});
     const bool played =
         play(constant(command), tested, servos, seeds(), robots, [&](const Outcome& outcome, const Plan&, int) {
           walked.falls += outcome.fell ? 1 : 0;
           walked.minutes += outcome.time / 60;
         });
+    if (!played) return {};
+  }
+  for (const bool walks : {false, true}) {
+    Walked& shoved = counts.walks.emplace_back(Walked{.manner = walks ? "shoved_walking" : "shoved_standing"});
+    const bool played = play(shoves({.forward = walks ? 0.15 : 0}), tested, servos, seeds(), robots,
+                             [&](const Outcome& outcome, const Plan&, int) {
+                               shoved.falls += outcome.fell ? 1 : 0;
+                               shoved.minutes += (outcome.time - kShoved) / 60;
+                             });
     if (!played) return {};
   }
   for (const bool walks : {false, true})
@@ -167,8 +176,8 @@ std::string fall_table(const Origin& origin, const std::array<FallCounts, 2>& co
     const std::string name = kClasses[one];
     Json& rates = table[name + "_rates"];
     for (const Walked& walked : counts[one].walks)
-      rates[std::string(walked.gait)] = {{"value", rounded(walked.falls / std::max(walked.minutes, 1e-9))},
-                                         {"unit", "1/min"}};
+      rates[std::string(walked.manner)] = {{"value", rounded(walked.falls / std::max(walked.minutes, 1e-9))},
+                                           {"unit", "1/min"}};
     table[name + "_standing"] = toppling_json(fit_toppling(counts[one].standing));
     table[name + "_walking"] = toppling_json(fit_toppling(counts[one].walking));
   }
@@ -176,7 +185,7 @@ std::string fall_table(const Origin& origin, const std::array<FallCounts, 2>& co
   for (std::size_t one = 0; one < counts.size(); ++one) {
     Json& own = evidence[kClasses[one]];
     for (const Walked& walked : counts[one].walks)
-      own["rates"][std::string(walked.gait)] = {{"falls", walked.falls}, {"minutes", rounded(walked.minutes)}};
+      own["rates"][std::string(walked.manner)] = {{"falls", walked.falls}, {"minutes", rounded(walked.minutes)}};
     own["standing"] = counts_json(counts[one].standing);
     own["walking"] = counts_json(counts[one].walking);
   }

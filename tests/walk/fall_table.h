@@ -26,9 +26,9 @@ struct Pushed {
   std::array<Trials, kDirections> to;
 };
 
-/// The falls of one gait without pushes.
+/// The falls while a robot moves in one manner, or while another one shoves it.
 struct Walked {
-  std::string_view gait;  // a name in sim::motion::FallRates
+  std::string_view manner;  // a name in sim::motion::FallRates
   int falls = 0;
   double minutes = 0;
 };
