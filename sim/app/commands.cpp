@@ -51,7 +51,12 @@ class ListCommand final : public Command {
   }
 
  private:
-  std::string noun() const { return kind_ == "strategies" ? "strategy" : kind_ == "situations" ? "situation" : kind_; }
+  std::string noun() const {
+    return kind_ == "strategies"   ? "strategy"
+           : kind_ == "situations" ? "situation"
+           : kind_ == "falls"      ? "table of falls"
+                                   : kind_;
+  }
 
   /// Prints the description with its sources. With changes in the name it prints the changed values.
   int print_one() {
@@ -128,6 +133,8 @@ void ChoiceOptions::add_to(CLI::App& command) {
       ->capture_default_str();
   command.add_option("--home-models", home_models_, "models of the home side's robots, and of ball and contacts");
   command.add_option("--away-models", away_models_, "models of the away side's robots");
+  command.add_option("--falls", falls_,
+                     "how often all robots fall: name or file of a table, as bench_walk makes it of a walk");
   command.add_option("--players", choice_.players, "players per side; by the rules if not given")
       ->check(CLI::Range(1, kMaxPlayers));
   command.add_flag("--every-tick", every_tick_, "all robots decide 30 times a second, also far from the ball");
@@ -137,6 +144,8 @@ io::Matchup ChoiceOptions::choice() const {
   io::Matchup choice = choice_;
   choice.models[0] = home_models_.empty() ? models_ : home_models_;
   choice.models[1] = away_models_.empty() ? models_ : away_models_;
+  if (!falls_.empty())
+    for (std::string& models : choice.models) models = io::with_falls(models, falls_);
   choice.pace = every_tick_ ? Pace::every_tick : Pace::thinned;
   return choice;
 }

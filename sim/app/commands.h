@@ -26,12 +26,12 @@ std::vector<std::string> words_again(const CLI::App& command, const std::vector<
 /// Prints a sentence on stderr if the games of a series repeat.
 void warn_of_repetition(std::int64_t games, std::int64_t different, const io::Matchup& choice);
 
-/// --rules, --home, --away, --home-rest, --away-rest, --changed, --models, --home-models, --away-models, --players,
-/// --every-tick: the options of every command that plays games.
+/// --rules, --home, --away, --home-rest, --away-rest, --changed, --models, --home-models, --away-models, --falls,
+/// --players, --every-tick: the options of every command that plays games.
 class ChoiceOptions {
  public:
   void add_to(CLI::App& command);
-  /// Returns the options as they were typed.
+  /// Returns the names that the options give.
   io::Matchup choice() const;
   /// Returns them with the rest of each side.
   contest::LineupChoice lineup_choice() const;
@@ -45,7 +45,7 @@ class ChoiceOptions {
   io::Matchup choice_;
   std::string rest_[2];
   int changed_ = kMaxPlayers;
-  std::string models_ = "match", home_models_, away_models_;
+  std::string models_ = "match", home_models_, away_models_, falls_;
   bool every_tick_ = false;
 };
 

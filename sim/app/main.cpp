@@ -29,7 +29,8 @@ int sim_main(int argc, char** argv) {
   commands.push_back(signature_command(app));
   commands.push_back(skills_command(app));
   commands.push_back(features_command(app));
-  for (const char* kind : {"rules", "models", "strategies", "situations"}) commands.push_back(list_command(app, kind));
+  for (const char* kind : {"rules", "models", "falls", "strategies", "situations"})
+    commands.push_back(list_command(app, kind));
   return robot::command::run(app, commands, argc, argv);
 }
 

@@ -81,6 +81,7 @@ class MatchCommand final : public Command {
     if (teams_.home == teams_.away)
       return fail("the teams must have different numbers, got " + std::to_string(teams_.home) + " twice");
     if (lines_ && !from_.empty()) return fail("--lines and --from do not go together");
+    if (lines_ && seconds_ > 0) return fail("--lines and --seconds do not go together");
     if (statistics_ && (lines_ || !mcap_.empty())) return fail("--statistics goes with neither --lines nor --mcap");
     if (!statistics_ && !html_.empty()) return fail("--html needs --statistics, whose table it draws");
     const auto lineup = choice_.line_up();

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "robot/core/json_library.h"
+#include "sim/io/fall_table.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
 #include "sim/io/variation.h"
@@ -38,6 +39,19 @@ void visit_sections(AnyModels& models, See&& see) {
   see("ball_filter", models.perception.filter);
   see("localisation", models.perception.localisation);
   see("radio", models.perception.radio);
+}
+
+/// Reads the falls: numbers, and perhaps a table.
+void read_section(Reader& reader, const Json& json, const char* name, Fields fields, motion::Falls& falls) {
+  reader.read(json, name, fields, falls, {"table"});
+  if (!json.is_object()) return;
+  if (const auto table = json.find("table"); table != json.end())
+    read_fall_table(reader, *table, Reader::below(name, "table"), falls.table);
+}
+
+template <class Section>
+void read_section(Reader& reader, const Json& json, const char* name, Fields fields, Section& section) {
+  reader.read(json, name, fields, section);
 }
 
 /// Removes a kick of the base.
@@ -78,7 +92,7 @@ void read_models(Reader& reader, const Json& json, Fields fields, Models& models
   std::vector<std::string_view> known(std::begin(kHead), std::end(kHead));
   visit_sections(models, [&](const char* name, auto& section) {
     known.push_back(name);
-    if (const Json* found = reader.find(json, name, fields)) reader.read(*found, name, fields, section);
+    if (const Json* found = reader.find(json, name, fields)) read_section(reader, *found, name, fields, section);
   });
   known.push_back("kicks");
   if (const Json* kicks = reader.find(json, "kicks", fields)) read_kicks(reader, *kicks, models.motion);
@@ -150,6 +164,10 @@ Result<Models> load_models(const std::string& name, Sources* sources) {
 
   Reader reader(called, sources);
   read_models(reader, with_effects_below(variation->changes), Fields::some, *models);
+  const auto falls = variation->changes.find("falls");
+  const bool changes_table = falls != variation->changes.end() && falls->contains("table");
+  if (changes_table && models->motion.falls.table.given && !models->effects.falls)
+    reader.refuse("falls.table is not played while the effect falls is off; switch it on with effects.falls=on");
   if (!reader.good()) return reader.error();
   models->name += name.substr(variation->name.size());
   return models;
@@ -182,9 +200,18 @@ std::vector<std::string> names_of_models(const std::string& name) {
   return names;
 }
 
+std::string with_falls(const std::string& name, const std::string& table) {
+  std::string all;
+  for (const std::string& part : split_single(name))
+    all.append(all.empty() ? "" : "+").append(part).append(",falls.table=").append(table);
+  return all;
+}
+
 std::string print_models(const Models& models, const Sources& sources) {
   Json json = {{"name", models.name}};
   visit_sections(models, [&](const char* name, const auto& section) { json[name] = written(section, name, sources); });
+  if (const motion::FallTable& table = models.motion.falls.table; table.given)
+    json["falls"]["table"] = written_fall_table(table, "falls.table", sources);
   Json& kicks = json["kicks"] = Json::object();
   for (int i = 0; i < models.motion.kick_count; ++i) {
     const motion::Kick& kick = models.motion.kicks[i];

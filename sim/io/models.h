@@ -16,7 +16,7 @@ namespace sim::io {
 
 /// Loads models by the name of an embedded file, or by path. Behind it may follow changes of effects or of any field:
 /// "match,falls=on,walk.forward=0.2". The models have the name in the file, plus the changes. `sources` receives the
-/// source of each value; a changed value has none.
+/// source of each value; a changed value has none. A changed table of falls needs the effect falls.
 robot::Result<Models> load_models(const std::string& name, Sources* sources = nullptr);
 
 /// Loads the models of a team into `team`. Behind the models of all robots may follow those of single robots, by their
@@ -24,6 +24,9 @@ robot::Result<Models> load_models(const std::string& name, Sources* sources = nu
 robot::Result<void> load_team_models(const std::string& name, int players, Team& team);
 /// Returns the names of the models in the name of a team's: "match" and "perfect" of "match+3=perfect".
 std::vector<std::string> names_of_models(const std::string& name);
+
+/// Returns the name of the same models of a team, but all robots fall by this table (sim/io/fall_table.h).
+std::string with_falls(const std::string& name, const std::string& table);
 
 /// Parses the models described in `text`; `called` opens the sentence of an Error ("models 'match'").
 robot::Result<Models> parse_models(std::string_view text, const std::string& called, Sources* sources = nullptr);

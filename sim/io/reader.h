@@ -43,10 +43,7 @@ class Reader {
     std::vector<std::string_view> known(others);
     Struct::visit(into, [&](const char* name, auto& value, const char* unit, auto least, auto most) {
       known.push_back(name);
-      if (const auto entry = object.find(name); entry != object.end())
-        read_value(*entry, below(path, name), unit, least, most, value);
-      else if (fields == Fields::all)
-        refuse(below(path, name) + " is missing, expected " + range(least, most, unit));
+      read_entry(object, path, name, fields, unit, least, most, value);
     });
     refuse_unknown(object, path, known);
   }
@@ -68,6 +65,16 @@ class Reader {
   static std::string range(float least, float most, std::string_view unit);
   static std::string range(int least, int most, std::string_view unit);
   static std::string range(bool least, bool most, std::string_view unit);
+
+  /// Reads the entry `name`, if there is one. Not inline: there are hundreds of fields.
+  template <class Value>
+  [[gnu::noinline]] void read_entry(const Json& object, const std::string& path, const char* name, Fields fields,
+                                    const char* unit, Value least, Value most, Value& into) {
+    if (const auto entry = object.find(name); entry != object.end())
+      read_value(*entry, below(path, name), unit, least, most, into);
+    else if (fields == Fields::all)
+      refuse(below(path, name) + " is missing, expected " + range(least, most, unit));
+  }
 
   /// Returns the value of an entry, or nullptr. Records its source.
   const Json* value_of(const Json& entry, const std::string& path, std::string_view unit);

@@ -18,7 +18,7 @@
 //             │        ├ think ───── Behaviour::decide, wait_of
 //             │        ├ talk ────── perception::transmit, perception::receive
 //             │        └ move ────── motion::move
-//             ├ meet ── keep_bodies_apart, bounce_ball
+//             ├ meet ── keep_bodies_apart, topple, bounce_ball
 //             └ judge ─ referee::judge
 namespace sim {
 namespace {
@@ -289,6 +289,14 @@ void act(const Params& params, Round& round, const Tracing& tracing) {
     if (state->schedule.next <= state->world.tick) state->schedule.next = earliest_of(*state);
 }
 
+/// Lets robots fall that have run into each other.
+void topple(const Params& params, World& world) {
+  const AllCollisions collisions = collisions_of(common(params).contact, world);
+  for_each_robot(world.players, [&](int robot) {
+    motion::topple(motion_params(params, models_of(params, robot)), collisions.of[robot], robot, world);
+  });
+}
+
 /// Rolls the ball and resolves contacts: robots with robots, the ball with robots and posts.
 ///
 /// With no moving body and a resting ball there is nothing to resolve, except when the ball was touched in the last
@@ -301,7 +309,7 @@ void meet(const Params& params, bool bodies_move, bool touched, World& world) {
   if (!bodies && !touched && world.ball.velocity == Vec2{}) return;
 
   Crowd crowd = crowd_of(world);
-  if (bodies) keep_bodies_apart(field, contact, crowd, world);
+  if (bodies && keep_bodies_apart(field, contact, crowd, world)) topple(params, world);
   if (effects.official) walk_official(field, world);
   bounce_ball(field, ball, contact, effects, crowd, world);
 }

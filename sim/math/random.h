@@ -53,6 +53,8 @@ enum class Draw : std::uint32_t {
   drill = 25,
   episode = 26,
   learning = 27,
+  servos = 28,
+  collision = 29,
 };
 
 /// Returns 128 random bits. `robot` is the robot's index in the state, or kNobody when the draw belongs to no robot.

@@ -8,9 +8,27 @@
 namespace sim::motion {
 namespace {
 
+/// Returns the falls of this robot: its servos are the same in the whole game.
+const ServoClass& class_of(const FallTable& table, RandomKey key, int robot) {
+  const auto words = draw(key, static_cast<std::uint32_t>(robot), Draw::servos, 0);
+  return uniform(words[0]) < table.collisions.soft ? table.soft : table.stiff;
+}
+
+/// Returns the rate of falls by the table [1/min].
+float rate_of(const FallTable& table, const World& world, int robot) {
+  const Body& body = world.bodies[robot];
+  const FallRates& rates = class_of(table, world.key, robot).rates;
+  const bool walks = body.doing == Body::Doing::walking, shoved = body.touching > 0;
+  const Manner manner = walks ? manner_of(body.velocity, body.turn_rate) : Manner::standing;
+  const float alone = rates.per_minute[static_cast<int>(manner)];
+  return !shoved ? alone : alone + (walks ? rates.shoved_walking : rates.shoved_standing);
+}
+
 /// Returns the rate of falls of an upright body [1/s]; 0 for others.
-float rate_of(const Falls& falls, const Body& body) {
+float rate_of(const Falls& falls, const World& world, int robot) {
+  const Body& body = world.bodies[robot];
   if (body.doing >= Body::Doing::fallen) return 0;
+  if (falls.table.given) return rate_of(falls.table, world, robot) / 60;
   const float walking = body.doing == Body::Doing::walking ? falls.per_minute_walking / 60 : 0;
   return body.touching > 0 ? walking + falls.per_second_touching : walking;
 }
@@ -55,7 +73,7 @@ void perhaps_fall_together(std::span<const Faller> fallers) {
 }  // namespace
 
 void perhaps_fall(const MotionParams& params, const Mover& mover) {
-  const float rate = rate_of(params.model.falls, mover.world->bodies[mover.robot]);
+  const float rate = rate_of(params.model.falls, *mover.world, mover.robot);
   if (rate > 0) perhaps_fall_alone({&mover, rate});
 }
 
@@ -69,8 +87,19 @@ void perhaps_fall(const MotionParams& params, std::span<const Mover> movers) {
     return std::size_t{0};
   });
   for (const Mover& mover : movers)
-    if (const float rate = rate_of(falls, mover.world->bodies[mover.robot]); rate > 0) batch.add({&mover, rate});
+    if (const float rate = rate_of(falls, *mover.world, mover.robot); rate > 0) batch.add({&mover, rate});
   batch.finish();
+}
+
+void topple(const MotionParams& params, const Collision& collision, int robot, World& world) {
+  const FallTable& table = params.model.falls.table;
+  Body& body = world.bodies[robot];
+  if (!params.effects.falls || !table.given || collision.speed <= 0 || body.doing >= Body::Doing::fallen) return;
+  const ServoClass& own = class_of(table, world.key, robot);
+  const Toppling& toppling = body.doing == Body::Doing::walking ? own.walking : own.standing;
+  const Vec2 impulse = table.collisions.impulse(collision.speed) * collision.direction;
+  const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::collision, world.tick);
+  if (uniform(words[0]) < toppling.probability(impulse)) fall(world.tick, body);
 }
 
 Tick lie(const MotionParams& params, int robot, Tick now, Tick left, World& world) {

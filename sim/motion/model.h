@@ -1,6 +1,8 @@
 // The abilities of a robot's body, as data: walk, head, kicks, squat, falls.
 #pragma once
 
+#include "sim/motion/fall_table.h"
+
 namespace sim::motion {
 
 inline constexpr int kMaxKicks = 8;
@@ -115,13 +117,14 @@ struct Hits {
   }
 };
 
-/// Falls, which the thesis leaves out. The rate of falls is fitted to real games.
+/// Falls, which the thesis leaves out. The rate of falls is fitted to real games, or measured as a table.
 struct Falls {
   float per_minute_walking;   // [1/min] while walking
   float per_second_touching;  // [1/s] more while in contact with another robot
   float lying;                // [s] before it begins to get up
   float getting_up;           // [s]
   float failure;              // [0..1] probability that an attempt fails and is repeated
+  FallTable table;            // replaces both rates, if it is given
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {

@@ -7,6 +7,7 @@
 #include "sim/math/tick.h"
 #include "sim/motion/command.h"
 #include "sim/motion/model.h"
+#include "sim/world/contact.h"
 #include "sim/world/effects.h"
 #include "sim/world/model.h"
 #include "sim/world/world.h"
@@ -48,11 +49,15 @@ struct Mover {
 /// ignores commands and gets up by itself.
 ///
 /// The effect walk_acceleration includes the cost of turning and the slowing down before a destination. Draws
-/// walk_noise (number: index of the walking step), kick_noise, fall and get_up (number: tick).
+/// walk_noise (number: index of the walking step), kick_noise, fall and get_up (number: tick), and servos.
 ///
 /// The head aims at a point within 0.02 rad. Where yaw and pitch together would touch a shoulder, the pitch is limited
 /// and the yaw waits for it. The head of a body on the ground does not move.
 void move(const MotionParams& params, std::span<const Mover> movers);
+
+/// Lets a robot fall, perhaps, in a collision of this tick. It does nothing without the effect falls, or if the model has no
+/// table of falls, or to a body on the ground. Draws collision (number: tick), and servos.
+void topple(const MotionParams& params, const Collision& collision, int robot, World& world);
 
 /// Returns the index of the kick with that name, or -1.
 int find_kick(const Model& model, std::string_view name);

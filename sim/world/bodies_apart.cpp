@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "sim/world/contact.h"
+#include "sim/world/touch.h"
 
 namespace sim {
 
 namespace {
 
-constexpr float kTouch = 0.01f;        // [m] gap below which two robots touch
 constexpr float kTolerance = 0.0005f;  // [m] overlaps up to this remain
 // [m] larger gaps are not tested again until a robot has moved by half of this
 constexpr float kMargin = 0.1f;
@@ -55,10 +55,6 @@ struct Shifts {
   }
   Vec2 of(int i) const { return {static_cast<float>(x[i]) * (1 / kUnits), static_cast<float>(y[i]) * (1 / kUnits)}; }
 };
-
-float radius_of(const ContactModel& contact, const Body& body) {
-  return lies(body) ? contact.lying_radius : contact.robot_radius;
-}
 
 /// The radii of all robots [m], by their index in the crowd.
 struct Radii {
@@ -127,8 +123,9 @@ bool runs_into(const Body& body, const Body& other) {
   return towards > 0 && towards * towards > 0.25f * squared_length(body.velocity) * squared_length(to_other);
 }
 
-/// Counts on in the bodies that touch another one or run into it, and sets the counts of all others to 0.
-void count_touches(const ContactModel& contact, const Crowd& crowd, const Neighbours& near, World& world) {
+/// Counts on in the bodies that touch another one or run into it, and sets the counts of all others to 0. Reports whether
+/// any body has begun to touch another one.
+bool count_touches(const ContactModel& contact, const Crowd& crowd, const Neighbours& near, World& world) {
   std::uint32_t touching = 0, pushing = 0;  // one bit per robot of the crowd
   for (int pair = 0; pair < near.pairs; ++pair) {
     const int i = near.first[pair], j = near.second[pair];
@@ -144,6 +141,7 @@ void count_touches(const ContactModel& contact, const Crowd& crowd, const Neighb
   const bool counts = world.tick % kPushingUnit == 0;
   const auto one_more = [](std::uint8_t count) { return static_cast<std::uint8_t>(std::min(count + 1, 255)); };
   std::uint32_t bit = 1;
+  bool met = false;
   for_each_robot(world.players, [&](int robot) {
     Body& body = world.bodies[robot];
     const bool touches = (touching & bit) != 0, pushes = (pushing & bit) != 0;
@@ -152,9 +150,11 @@ void count_touches(const ContactModel& contact, const Crowd& crowd, const Neighb
       body.touching = body.pushing = 0;
       return;
     }
+    met |= body.touching == 0;
     body.touching = one_more(body.touching);
     body.pushing = !pushes ? std::uint8_t{0} : counts ? one_more(body.pushing) : body.pushing;
   });
+  return met;
 }
 
 /// Reports whether any of these overlap by more than kTolerance.
@@ -234,16 +234,17 @@ Shifts shifts_of(const Things& things, const Crowd& crowd, const Radii& radii, c
 
 }  // namespace
 
-void keep_bodies_apart(const field::Field& field, const ContactModel& contact, Crowd& crowd, World& world) {
+bool keep_bodies_apart(const field::Field& field, const ContactModel& contact, Crowd& crowd, World& world) {
   const Things things{field::post_of(field, 0), field.post_radius, world.official, contact.official_radius};
   const float largest =
       crowd.somebody_lies ? std::max(contact.lying_radius, contact.robot_radius) : contact.robot_radius;
   const Limits limits = limits_of(things, largest, kTouch);
   const Neighbours near = neighbours_of(things, crowd, limits);
   const bool counted = std::exchange(world.crowded, near.pairs + near.at_things > 0);
-  if (!world.crowded && !counted) return;
-  count_touches(contact, crowd, near, world);
+  if (!world.crowded && !counted) return false;
+  const bool met = count_touches(contact, crowd, near, world);
   if (overlap(contact, things, crowd, near, world)) part(contact, things, largest, crowd, world);
+  return met;
 }
 
 }  // namespace sim

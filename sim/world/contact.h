@@ -13,8 +13,24 @@ namespace sim {
 /// referee. Counts for how long each body has touched another one and has run into it.
 /// Afterwards no two bodies on the field overlap by more than 1 mm, and no body overlaps a post by more than that.
 /// The result does not depend on the order of robots. The one exception: of two at exactly the same place, the first
-/// one moves towards -x. `crowd` must match `world`; the function keeps it so.
-void keep_bodies_apart(const field::Field& field, const ContactModel& contact, Crowd& crowd, World& world);
+/// one moves towards -x. `crowd` must match `world`; the function keeps it so. Reports whether any body has begun to touch
+/// another one.
+bool keep_bodies_apart(const field::Field& field, const ContactModel& contact, Crowd& crowd, World& world);
+
+/// A body that meets another one.
+struct Collision {
+  float speed = 0;  // [m/s] at which they close in; 0: it meets none
+  Vec2 direction;   // [robot] unit vector in which it is pushed
+};
+
+/// The hardest collision of each robot, by its index.
+struct AllCollisions {
+  Collision of[kMaxRobots];
+};
+
+/// Returns the collisions of this tick: of two bodies that touch, at least one of which touched nobody before. Call it
+/// after `keep_bodies_apart`. The result does not depend on the order of robots.
+AllCollisions collisions_of(const ContactModel& contact, const World& world);
 
 /// Bounces the ball off bodies and posts. Call it once a tick, after `roll`.
 ///

@@ -48,6 +48,51 @@ test("the turf of recorded games is found again, and the simulator plays on it",
   assert.deepEqual(score(played.stdout), score(same.stdout));
 });
 
+test("fitted rates of falls replace the table of falls of their base", async (t) => {
+  const folder = temporaryFolder(t);
+  const files = await games(folder, 0.3, 1, "--rules", "spl2025");
+  const out = join(folder, "fallen.json");
+  const { status, stderr } = await fit(...files, "--only", "falls", "--models", "nao", "--out", out);
+  assert.equal(status, 0, stderr);
+  const { based_on, falls } = JSON.parse(readFileSync(out, "utf8"));
+  assert.deepEqual([based_on, falls.table], ["nao", false]);
+  assert.match(falls.per_minute_walking.source, /^fitted to game1: /);
+
+  // the robots do fall at these rates, and not by the table of nao
+  const game = async (models) => (await match("--models", models, "--seconds", "300", "--json")).stdout;
+  const rates = ["per_minute_walking", "per_second_touching", "failure"].map(
+    (name) => `falls.${name}=${falls[name].value}`,
+  );
+  assert.equal(await game(out), await game(["nao", "falls.table=off", ...rates].join(",")));
+  assert.notEqual(await game(out), await game("nao"));
+});
+
+test("a match is played with a table of falls, and one that cannot be read is refused", async (t) => {
+  const folder = temporaryFolder(t);
+  const shown = await run("foresight-sim", "falls", "--show", "foresight");
+  assert.equal(shown.status, 0, shown.stderr);
+  const table = JSON.parse(shown.stdout);
+  const file = join(folder, "theirs.json");
+  const game = async (...words) => {
+    const played = await match("--seconds", "300", "--json", ...words);
+    assert.equal(played.status, 0, played.stderr);
+    return played.stdout;
+  };
+  writeFileSync(file, shown.stdout);
+  assert.equal(await game("--falls", file), await game("--falls", "foresight"));
+  assert.notEqual(await game("--falls", file), await game());
+
+  table.collisions.mass.value = "heavy";
+  writeFileSync(file, JSON.stringify(table));
+  const { status, stderr } = await match("--falls", file);
+  assert.equal(status, 2);
+  assert.equal(
+    stderr.trim(),
+    `foresight-sim: models 'match,falls.table=${file}': table of falls '${file}': ` +
+      `collisions.mass must be 0.5 .. 100 [kg], got "heavy"`,
+  );
+});
+
 test("kicks of recorded games are found again, and those known too loosely stay as they were", async (t) => {
   const folder = temporaryFolder(t);
   // few robots, so that most kicks are undisturbed; full hits, as on an empty field

@@ -127,6 +127,7 @@ test("wrong usage and wrong input are one sentence and exit status 2", async (t)
     [["features", "bal_age"], "foresight-sim: no feature \"bal_age\"; did you mean 'ball_age'?\n"],
     [["match", "--rules", "spl1999"], "foresight-sim: no rules 'spl1999'; there are: hsl2026, spl2012, spl2025\n"],
     [["match", "--mcap", "x", "--games", "2"], "foresight-sim: --mcap records one game, got --games 2\n"],
+    [["match", "--lines", "--seconds", "60"], "foresight-sim: --lines and --seconds do not go together\n"],
     [
       ["match", "--save-at", "soon", "x"],
       "foresight-sim: --save-at: a moment must be 0 .. 36000 [s] since the first tick, or half:minutes:seconds on the clock such as 2:05:12, got 'soon'\n",

@@ -46,14 +46,14 @@ struct Toppling {
 };
 
 /// Fits the toppling to the counts: a penalised logistic regression, in which all directions share the slope. The penalties
-/// are those of normal priors: slope 6 ± 3; the mean impulse that topples half 2.4 N s, times or by exp(3 / slope); the
-/// directions differ from the mean by a factor of exp(1.5 / slope). They count where nearly all robots fall, or nearly none.
+/// are those of normal priors. The slope is 6 ± 3. The impulse that topples half is 2.4 N s, times or by exp(3 / slope). A
+/// direction differs from the mean by a factor of exp(1.5 / slope). Priors count where nearly all robots fall, or nearly none.
 Toppling fit_toppling(const std::vector<Pushed>& pushes);
 
 /// Counts the falls of `robots` robots of this class. Nothing if the walk gives no gait.
 std::optional<FallCounts> count_falls(const Tested& tested, Servos servos, std::uint64_t first_seed, int robots);
 
-/// What the counts come from.
+/// The source of the counts.
 struct Origin {
   std::string walk;        // "ours", or the library
   std::string parameters;  // a hash of ours; "" for a library

@@ -57,6 +57,11 @@ Result<std::string> fitted_models(const Fits& fits, const std::string& base, con
     for (const std::string_view part : split(figure.name, ".")) into = &(*into)[std::string(part)];
     *into = entry_of(figure, *before);
   }
+  // a table would replace the fitted rates
+  if (models->motion.falls.table.given && fitted.contains("falls"))
+    if (const Json& falls = fitted["falls"];
+        falls.contains("per_minute_walking") || falls.contains("per_second_touching"))
+      fitted["falls"]["table"] = false;
   const std::string text = fitted.dump(2) + "\n";
   if (const auto read = sim::io::parse_models(text, "fitted models"); !read) return read.failure();
   return text;

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <fstream>
 #include <vector>
 
 #include "sim/io/embedded.h"
 #include "sim/io/source.h"
 #include "sim/motion/motion.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sim::io {
 namespace {
@@ -121,6 +123,64 @@ TEST(Models, AKickThatIsFalseIsRemoved) {
   std::string all = "match";
   for (int i = 0; i < match.motion.kick_count; ++i) all += std::string(",kicks.") + match.motion.kicks[i].name + "=off";
   EXPECT_EQ(error_of_models(all), "models '" + all + "': kicks: expected at least one, got none");
+}
+
+TEST(Models, OurOwnBodyFallsByTheTableOfItsWalk) {
+  const Models nao = loaded_models("nao"), match = loaded_models("match");
+  EXPECT_TRUE(nao.motion.falls.table.given);
+  EXPECT_FALSE(match.motion.falls.table.given) << "its falls are those of real games";
+  const Models other = loaded_models("match,falls.table=foresight");
+  EXPECT_EQ(print_models(nao).substr(print_models(nao).find("\"table\"")).substr(0, 2000),
+            print_models(other).substr(print_models(other).find("\"table\"")).substr(0, 2000));
+  EXPECT_FALSE(loaded_models("nao,falls.table=off").motion.falls.table.given);
+}
+
+TEST(Models, ATableOfFallsIsAlsoReadFromAFileOrFromTheModels) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder.path() / "theirs.json";
+  std::string table(find_source("falls", "table of falls", "foresight")->text);
+  std::ofstream(path) << table;
+  const Models named = loaded_models("match,falls.table=foresight"), read = loaded_models("match,falls.table=" + path);
+  EXPECT_EQ(print_models(read).substr(print_models(read).find("\"ball\"")),
+            print_models(named).substr(print_models(named).find("\"ball\"")));
+  const auto within =
+      parse_models(R"({"name": "mine", "based_on": "match", "falls": {"table": )" + table + "}}", "models 'mine'");
+  ASSERT_TRUE(within) << within.error();
+  EXPECT_EQ(within->motion.falls.table.soft.walking.half[7], named.motion.falls.table.soft.walking.half[7]);
+
+  const auto error_with = [&](const std::string& old, const std::string& text) {
+    std::string changed = table;
+    changed.replace(changed.find(old), old.size(), text);
+    std::ofstream(path) << changed;
+    return error_of_models("match,falls.table=" + path);
+  };
+  const std::string opening = "models 'match,falls.table=" + path + "': table of falls '" + path + "': ";
+  EXPECT_EQ(error_with("\"stiff_walking\"", "\"stif_walking\""), opening + "stiff_walking is missing");
+  EXPECT_EQ(error_with("\"mass\": {\"value\": 5.3", "\"mass\": {\"value\": -5.3"),
+            opening + "collisions.mass must be 0.5 .. 100 [kg], got -5.3");
+  EXPECT_EQ(error_with("\"made_by\"", "\"mode_by\"").substr(0, opening.size() + 22),
+            opening + "mode_by is unknown; di");
+  EXPECT_NE(error_with("{", "["), "");
+}
+
+TEST(Models, NameTheErrorInATableOfFalls) {
+  EXPECT_EQ(error_of_models("match,falls.table=foresigth"),
+            "models 'match,falls.table=foresigth': no table of falls 'foresigth'; did you mean 'foresight'?");
+  EXPECT_EQ(
+      error_of_models("match,falls.table=3"),
+      "models 'match,falls.table=3': falls.table must be a table of falls, its name or its path, or false, got 3");
+  EXPECT_EQ(
+      error_of_models("perfect,falls.table=foresight"),
+      "models 'perfect,falls.table=foresight': falls.table is not played while the effect falls is off; switch it on "
+      "with effects.falls=on");
+  EXPECT_EQ(error_of_models("perfect,effects.falls=on,falls.table=foresight"), "");
+  EXPECT_EQ(error_of_models("nao,falls=off"), "");
+}
+
+TEST(Models, ATableOfFallsIsForAllRobotsOfATeam) {
+  EXPECT_EQ(with_falls("match", "mine"), "match,falls.table=mine");
+  EXPECT_EQ(with_falls("match+3=nao,walk.forward=0.1", "mine"),
+            "match,falls.table=mine+3=nao,walk.forward=0.1,falls.table=mine");
 }
 
 TEST(Models, OurOwnBodyKicksOnlyInTheWalk) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/match/hash.h"
@@ -46,9 +47,11 @@ void play_together(const Params& params, std::vector<Game>& games, std::size_t t
 }
 
 TEST(SideBySide, ManyGamesHaveTheBitsOfGamesAlone) {
-  for (const char* rules : {"spl2012", "spl2025", "hsl2026"})
+  const std::pair<const char*, const char*> kinds[] = {
+      {"spl2012", "match"}, {"spl2025", "match"}, {"hsl2026", "match"}, {"spl2025", "match,falls.table=foresight"}};
+  for (const auto& [rules, models] : kinds)
     for (const Pace pace : {Pace::thinned, Pace::every_tick}) {
-      const auto setup = setup_of(choice_of(rules, "baseline", "match", pace), 60);
+      const auto setup = setup_of(choice_of(rules, "baseline", models, pace), 60);
       for (const int count : {1, 3, 16, 37}) {
         std::vector<Game> alone = games_of(setup.params, count), together = alone;
         for (Game& game : alone) {

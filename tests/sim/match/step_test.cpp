@@ -27,6 +27,32 @@ TEST(Step, IsAFunctionOfItsArguments) {
   }
 }
 
+TEST(Step, OnlyRobotsThatRunIntoEachOtherFallByATableOfPushesAlone) {
+  const auto falls_of = [](float mass) {
+    auto setup = setup_of(choice_of("spl2025", "baseline", "match"));
+    const motion::Toppling toppling{.slope = 6, .half = {2, 2, 2, 2, 2, 2, 2, 2}};
+    const motion::ServoClass alike{.rates = {}, .standing = toppling, .walking = toppling};
+    for (Team& team : setup.params.teams)
+      team.models.motion.falls.table = {
+          .given = true, .collisions = {.mass = mass, .bounce = 0, .soft = 0}, .stiff = alike, .soft = alike};
+    State state = begun(setup.params, 3);
+    int falls = 0;
+    for (Tick tick = 0; tick < 6000; ++tick) {
+      const World before = state.world;
+      state = after(setup.params, state, 1);
+      test::for_each_body(state.world, [&](int robot, const Body& body) {
+        if (body.doing != Body::Doing::fallen || before.bodies[robot].doing >= Body::Doing::fallen) return;
+        ++falls;
+        EXPECT_GT(body.touching, 0) << "robot " << robot << " at tick " << tick;
+      });
+    }
+    return falls;
+  };
+  const int light = falls_of(0.5f), heavy = falls_of(100);
+  EXPECT_EQ(light, 0);
+  EXPECT_GT(heavy, 10);
+}
+
 TEST(Step, ARobotWithASlowerWalkWalksSlowerAndTheOthersDoNot) {
   const auto game = [](const std::string& models) {
     io::Matchup choice = choice_of("spl2025", "baseline", models);

@@ -289,6 +289,17 @@ TEST(CheckFalls, TheirNumberFollowsTheTimeAtRisk) {
   EXPECT_EQ(count_outside(fit::check_falls(seen_falls(22), models, missing)), 1u);
 }
 
+TEST(CheckFalls, OfATableTheNumberIsNotChecked) {
+  std::vector<std::string> missing;
+  sim::Models models = falling_ones();
+  models.motion.falls.table.given = true;
+  const auto checked = fit::check_falls(seen_falls(22), models, missing);
+  EXPECT_EQ(checked.size(), 3u);
+  EXPECT_EQ(missing,
+            std::vector<std::string>{
+                "falls: the models have a table of falls, and a recording does not tell how hard robots collide"});
+}
+
 TEST(CheckFalls, TheDurationsAndFailuresAreChecked) {
   std::vector<std::string> missing;
   for (float sim::motion::Falls::*const part :

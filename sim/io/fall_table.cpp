@@ -1,0 +1,66 @@
+#include "sim/io/fall_table.h"
+
+#include "sim/io/source.h"
+
+namespace sim::io {
+namespace {
+
+constexpr std::string_view kEvidence[] = {"about", "made_by", "counts"};
+
+/// Calls see(name, struct) for each section.
+template <class AnyTable, class See>
+void visit_table(AnyTable& table, See&& see) {
+  see("collisions", table.collisions);
+  see("stiff_rates", table.stiff.rates);
+  see("stiff_standing", table.stiff.standing);
+  see("stiff_walking", table.stiff.walking);
+  see("soft_rates", table.soft.rates);
+  see("soft_standing", table.soft.standing);
+  see("soft_walking", table.soft.walking);
+}
+
+void read_table(Reader& reader, const Json& object, const std::string& path, motion::FallTable& into) {
+  std::vector<std::string_view> known(std::begin(kEvidence), std::end(kEvidence));
+  visit_table(into, [&](const char* name, auto& section) {
+    known.push_back(name);
+    const auto found = object.find(name);
+    if (found == object.end()) return reader.refuse(Reader::below(path, name) + " is missing");
+    reader.read(*found, Reader::below(path, name), Fields::all, section);
+  });
+  reader.refuse_unknown(object, path, known);
+  into.given = true;
+}
+
+void read_named(Reader& reader, const std::string& name, motion::FallTable& into) {
+  const auto source = find_source("falls", "table of falls", name);
+  if (!source) return reader.refuse(source.error());
+  const auto json = parse_object(source->text, source->called);
+  if (!json) return reader.refuse(json.error());
+  Reader own(source->called);
+  read_table(own, *json, "", into);
+  if (!own.good()) reader.refuse(own.error().sentence);
+}
+
+}  // namespace
+
+void read_fall_table(Reader& reader, const Json& entry, const std::string& path, motion::FallTable& into) {
+  if (entry == false) {
+    into = {};
+  } else if (entry.is_string()) {
+    read_named(reader, entry.get<std::string>(), into);
+  } else if (entry.is_object()) {
+    read_table(reader, entry, path, into);
+  } else {
+    reader.refuse(path + " must be a table of falls, its name or its path, or false, got " + shown(entry));
+  }
+}
+
+Json written_fall_table(const motion::FallTable& table, const std::string& path, const Sources& sources) {
+  Json object = Json::object();
+  visit_table(table, [&](const char* name, const auto& section) {
+    object[name] = written(section, Reader::below(path, name), sources);
+  });
+  return object;
+}
+
+}  // namespace sim::io

@@ -1,0 +1,18 @@
+// Tables of falls as JSON: sim/data/falls/*.json and what bench_walk makes of a walk.
+//
+// A table has the sections collisions, stiff_rates, stiff_standing, stiff_walking, and likewise soft_…. It may have what they
+// come from: about, made_by and counts, which no game reads.
+#pragma once
+
+#include "sim/io/reader.h"
+#include "sim/motion/fall_table.h"
+
+namespace sim::io {
+
+/// Reads the table at `path`: an object, the name of an embedded table, the path of a file, or false for none.
+void read_fall_table(Reader& reader, const Json& entry, const std::string& path, motion::FallTable& into);
+
+/// Returns the object at `path` that `read_fall_table` reads back.
+Json written_fall_table(const motion::FallTable& table, const std::string& path, const Sources& sources);
+
+}  // namespace sim::io
