@@ -148,6 +148,29 @@ async function pushes(report, robots) {
     }
 }
 
+/** Small pushes with each step of another robot, from one side. */
+async function shoves(report, robots) {
+  for (const state of ["walking", "standing"]) {
+    const found = await played(`shoved ${state}`, robots * 0.2, 80_000);
+    const falls = sum(found, "falls");
+    const minutes = sum(found, "minutes");
+    report.figure(`shoved, ${state}: falls a minute`, falls / minutes, "1/min");
+    tellInterval(report, `shoved, ${state}: falls a minute`, poissonInterval(falls), 1 / minutes, "1/min");
+  }
+}
+
+/** Whole games: the falls of real ones, and those by the table of this walk. */
+async function games(report) {
+  for (const [name, words] of [
+    ["those of real games", []],
+    ["those of the walk", ["--falls", "foresight"]],
+  ]) {
+    const series = ["match", "--rules", "spl2025", "--games", 100, "--statistics", "--json", ...words];
+    const { figures } = JSON.parse(await start("foresight-sim", series).output);
+    report.figure(`games, falls are ${name}: falls of a robot`, figures.falls.measured.mean, "1/min");
+  }
+}
+
 async function kicks(report, robots) {
   const found = await played("kick forward", robots * 0.7, 60_000);
   const speeds = kClasses.flatMap((name) => found[name].ball_speeds);
@@ -170,6 +193,8 @@ export async function walk({ choices: robots = kRobots }) {
   await walking(report, robots);
   await otherCommands(report, robots);
   await pushes(report, robots);
+  await shoves(report, robots);
+  await games(report);
   await kicks(report, robots);
   const cost = await start("bench_walk", ["cost"]).report;
   report.figure("cost of a tick on this machine", cost.microseconds_a_tick, "us");
