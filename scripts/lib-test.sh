@@ -71,7 +71,7 @@ test_options() {
     case $argument in
       --yes) setup_options=(--yes) ;;
       --require-data) export FORESIGHT_REQUIRE_DATA=1 ;;
-      --help | -h) show_help && exit 0 ;;
+      --help | -h) show_help ;;
       *) die "unknown argument '$argument'; see scripts/${0##*/} --help" ;;
     esac
   done

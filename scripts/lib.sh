@@ -53,8 +53,8 @@ needs() { command -v "$1" >/dev/null || die "$1 is missing, $2: install it"; }
 # Ends with a sentence if MuJoCo is missing.
 needs_mujoco() { [[ -e /usr/include/mujoco/mujoco.h ]] || die "MuJoCo is missing, the physics for the walk: install libmujoco-dev"; }
 
-# Prints the comment at the head of the script, which is its help.
-show_help() { sed -n '2,/^[^#]/{/^#/s/^#[ ]\{0,1\}//p}' "$0"; }
+# Prints the comment at the head of the script, which is its help, and ends the script. A reader may stop before the end.
+show_help() { sed -n '2,/^[^#]/{/^#/s/^#[ ]\{0,1\}//p}' "$0" || true; exit 0; }
 
 # Prints the number of compile jobs: one per core, with 1.5 GB of memory each. A file with Beast takes 1.35 GB.
 compile_jobs() {
