@@ -289,8 +289,13 @@ void act(const Params& params, Round& round, const Tracing& tracing) {
     if (state->schedule.next <= state->world.tick) state->schedule.next = earliest_of(*state);
 }
 
+bool falls_by_table(const Models& models) { return models.effects.falls && models.motion.falls.table.given; }
+
 /// Lets robots fall that have run into each other.
 void topple(const Params& params, World& world) {
+  bool anybody = false;
+  for_each_robot(world.players, [&](int robot) { anybody |= falls_by_table(models_of(params, robot)); });
+  if (!anybody) return;
   const AllCollisions collisions = collisions_of(common(params).contact, world);
   for_each_robot(world.players, [&](int robot) {
     motion::topple(motion_params(params, models_of(params, robot)), collisions.of[robot], robot, world);

@@ -14,8 +14,8 @@ const ServoClass& class_of(const FallTable& table, RandomKey key, int robot) {
   return uniform(words[0]) < table.collisions.soft ? table.soft : table.stiff;
 }
 
-/// Returns the rate of falls by the table [1/min].
-float rate_of(const FallTable& table, const World& world, int robot) {
+/// Returns the rate of falls by the table [1/min]. Not inline, because few models have a table.
+[[gnu::noinline]] float rate_of(const FallTable& table, const World& world, int robot) {
   const Body& body = world.bodies[robot];
   const FallRates& rates = class_of(table, world.key, robot).rates;
   const bool walks = body.doing == Body::Doing::walking, shoved = body.touching > 0;
