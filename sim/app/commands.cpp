@@ -35,7 +35,9 @@ class ListCommand final : public Command {
   ListCommand(CLI::App& app, std::string kind)
       : Command(app.add_subcommand(kind, "list the built-in " + kind + "; --show prints one as a template")),
         kind_(std::move(kind)) {
-    options().add_option("--show", show_, "name: print its description, with the changes in the name");
+    options().add_option(
+        "--show", show_,
+        varies() ? "name: print its description, with the changes in the name" : "name: print its description");
     options().add_flag("--json", json_, "report as JSON");
   }
 
@@ -51,6 +53,7 @@ class ListCommand final : public Command {
   }
 
  private:
+  bool varies() const { return kind_ == "rules" || kind_ == "models"; }
   std::string noun() const {
     return kind_ == "strategies"   ? "strategy"
            : kind_ == "situations" ? "situation"
@@ -60,8 +63,7 @@ class ListCommand final : public Command {
 
   /// Prints the description with its sources. With changes in the name it prints the changed values.
   int print_one() {
-    const bool varies = kind_ == "rules" || kind_ == "models";
-    if (varies && show_.find_first_of(",:") != show_.npos) return print_variation();
+    if (varies() && show_.find_first_of(",:") != show_.npos) return print_variation();
     const auto source = io::find_source(kind_, noun(), show_);
     if (!source) return fail(source.error());
     std::fputs(source->text.c_str(), stdout);
@@ -133,8 +135,14 @@ void ChoiceOptions::add_to(CLI::App& command) {
       ->capture_default_str();
   command.add_option("--home-models", home_models_, "models of the home side's robots, and of ball and contacts");
   command.add_option("--away-models", away_models_, "models of the away side's robots");
-  command.add_option("--falls", falls_,
-                     "how often all robots fall: name or file of a table, as bench_walk makes it of a walk");
+  const auto is_table = [](const std::string& table) -> std::string {
+    if (!table.empty() && table.find_first_of(",+") == table.npos) return "";
+    return "expected the name or the path of a table of falls, without ',' and '+', got '" + table + "'";
+  };
+  command
+      .add_option("--falls", falls_,
+                  "how often all robots fall: name or file of a table, as bench_walk makes it of a walk")
+      ->check(is_table);
   command.add_option("--players", choice_.players, "players per side; by the rules if not given")
       ->check(CLI::Range(1, kMaxPlayers));
   command.add_flag("--every-tick", every_tick_, "all robots decide 30 times a second, also far from the ball");

@@ -119,6 +119,8 @@ Result<Comparison> Comparison::prepare(const ComparisonChoice& choice) {
                                  {"version", FORESIGHT_VERSION},
                                  {"build", *build}};
   std::vector<std::string> files = io::names_of_models(choice.models);
+  const std::vector<std::string> falls = io::names_of_falls(choice.models);
+  files.insert(files.end(), falls.begin(), falls.end());
   files.insert(files.end(), {choice.a, choice.b, choice.opponent, choice.rules});
   for (const std::string& file : files)
     if (const std::uint64_t content = content_of(file)) json["files"][file] = hex(content);

@@ -3,9 +3,10 @@
 set(entries "")
 foreach(file IN LISTS FILES)
   file(READ ${FOLDER}/${file}.json text)
-  # the evidence of a table of falls is not played
-  string(REGEX REPLACE ",\n  \"counts\": .*" "\n}\n" text "${text}")
   get_filename_component(kind ${file} DIRECTORY)
+  if(kind STREQUAL falls)  # the counts are not played
+    string(REGEX REPLACE ",\n  \"counts\": .*" "\n}\n" text "${text}")
+  endif()
   get_filename_component(name ${file} NAME)
   string(APPEND entries "    {\"${kind}\", \"${name}\", R\"json(${text})json\"},\n")
 endforeach()

@@ -19,26 +19,30 @@ void visit_table(AnyTable& table, See&& see) {
   see("soft_walking", table.soft.walking);
 }
 
-void read_table(Reader& reader, const Json& object, const std::string& path, motion::FallTable& into) {
+void read_table(Reader& reader, const Json& object, const std::string& path, Fields fields, motion::FallTable& into) {
   std::vector<std::string_view> known(std::begin(kEvidence), std::end(kEvidence));
   visit_table(into, [&](const char* name, auto& section) {
     known.push_back(name);
-    const auto found = object.find(name);
-    if (found == object.end()) return reader.refuse(Reader::below(path, name) + " is missing");
-    reader.read(*found, Reader::below(path, name), Fields::all, section);
+    const std::string place = Reader::below(path, name);
+    if (const auto found = object.find(name); found != object.end())
+      reader.read(*found, place, fields, section);
+    else if (fields == Fields::all)
+      reader.refuse(place + " is missing");
   });
   reader.refuse_unknown(object, path, known);
   into.given = true;
 }
 
-void read_named(Reader& reader, const std::string& name, motion::FallTable& into) {
+void read_named(Reader& reader, const std::string& name, const std::string& path, motion::FallTable& into) {
   const auto source = find_source("falls", "table of falls", name);
   if (!source) return reader.refuse(source.error());
   const auto json = parse_object(source->text, source->called);
   if (!json) return reader.refuse(json.error());
-  Reader own(source->called);
-  read_table(own, *json, "", into);
-  if (!own.good()) reader.refuse(own.error().sentence);
+  Sources sources;
+  Reader own(source->called, &sources);
+  read_table(own, *json, "", Fields::all, into);
+  if (!own.good()) return reader.refuse(own.error().sentence);
+  reader.add_sources(path, sources);
 }
 
 }  // namespace
@@ -47,9 +51,9 @@ void read_fall_table(Reader& reader, const Json& entry, const std::string& path,
   if (entry == false) {
     into = {};
   } else if (entry.is_string()) {
-    read_named(reader, entry.get<std::string>(), into);
+    read_named(reader, entry.get<std::string>(), path, into);
   } else if (entry.is_object()) {
-    read_table(reader, entry, path, into);
+    read_table(reader, entry, path, into.given ? Fields::some : Fields::all, into);
   } else {
     reader.refuse(path + " must be a table of falls, its name or its path, or false, got " + shown(entry));
   }

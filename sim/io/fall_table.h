@@ -1,7 +1,7 @@
 // Tables of falls as JSON: sim/data/falls/*.json and what bench_walk makes of a walk.
 //
-// A table has the sections collisions, stiff_rates, stiff_standing, stiff_walking, and likewise soft_…. It may have what they
-// come from: about, made_by and counts, which no game reads.
+// A table has the sections collisions, stiff_rates, stiff_standing, stiff_walking, and likewise soft_…. A push to the front
+// comes from behind. The entries about, made_by and counts tell where the figures come from; no game reads them.
 #pragma once
 
 #include "sim/io/reader.h"
@@ -9,7 +9,8 @@
 
 namespace sim::io {
 
-/// Reads the table at `path`: an object, the name of an embedded table, the path of a file, or false for none.
+/// Reads the table at `path`: the name of an embedded table, the path of a file, or false for none. An object is a whole table,
+/// or changes one that is given.
 void read_fall_table(Reader& reader, const Json& entry, const std::string& path, motion::FallTable& into);
 
 /// Returns the object at `path` that `read_fall_table` reads back.

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "robot/core/json_library.h"
+#include "robot/core/text.h"
 #include "sim/io/fall_table.h"
 #include "sim/io/reader.h"
 #include "sim/io/source.h"
@@ -47,6 +48,11 @@ void read_section(Reader& reader, const Json& json, const char* name, Fields fie
   if (!json.is_object()) return;
   if (const auto table = json.find("table"); table != json.end())
     read_fall_table(reader, *table, Reader::below(name, "table"), falls.table);
+  if (fields == Fields::all || !falls.table.given) return;
+  for (const char* rate : {"per_minute_walking", "per_second_touching"})
+    if (json.contains(rate))
+      reader.refuse(Reader::below(name, rate) +
+                    " is not played with a table of falls; leave that out with falls.table=off");
 }
 
 template <class Section>
@@ -197,6 +203,14 @@ Result<void> load_team_models(const std::string& name, int players, Team& team) 
 std::vector<std::string> names_of_models(const std::string& name) {
   std::vector<std::string> names = split_single(name);
   for (std::size_t i = 1; i < names.size(); ++i) names[i].erase(0, 2);
+  return names;
+}
+
+std::vector<std::string> names_of_falls(const std::string& name) {
+  constexpr std::string_view kChange = "falls.table=";
+  std::vector<std::string> names;
+  for (const std::string_view part : robot::split(name, ","))
+    if (part.starts_with(kChange)) names.emplace_back(part.substr(kChange.size(), part.find('+') - kChange.size()));
   return names;
 }
 

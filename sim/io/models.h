@@ -25,6 +25,8 @@ robot::Result<void> load_team_models(const std::string& name, int players, Team&
 /// Returns the names of the models in the name of a team's: "match" and "perfect" of "match+3=perfect".
 std::vector<std::string> names_of_models(const std::string& name);
 
+/// Returns the tables of falls in the name of a team's: "mine.json" of "match,falls.table=mine.json".
+std::vector<std::string> names_of_falls(const std::string& name);
 /// Returns the name of the same models of a team, but all robots fall by this table (sim/io/fall_table.h).
 std::string with_falls(const std::string& name, const std::string& table);
 

@@ -34,6 +34,12 @@ class Reader {
     if (good()) problem_ = problem;
   }
 
+  /// Keeps the sources of a description that another reader has read for the entry at `path`.
+  void add_sources(const std::string& path, const Sources& found) {
+    if (sources_)
+      for (const auto& [name, source] : found) (*sources_)[below(path, name)] = source;
+  }
+
   /// Reads the fields of `into` from `object`, which is at `path` ("" is the top). Refuses keys that are neither fields
   /// nor among `others`.
   template <class Struct>

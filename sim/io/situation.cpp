@@ -64,7 +64,7 @@ struct Score {
   }
 };
 
-struct PlaceOfRobot {
+struct PlaceOnField {
   float x = 0, y = 0;
 
   template <class Self, class See>
@@ -225,7 +225,7 @@ class Scene {
   }
 
   void read_ball(const Json& json) {
-    PlaceOfRobot place;
+    PlaceOnField place;
     Velocity velocity;
     read_some(json, "ball", place, {"x", "y"}, Fields::all);
     read_some(json, "ball", velocity, {"velocity_x", "velocity_y"});
@@ -245,7 +245,7 @@ class Scene {
 
   void read_robot(const Json& json, const std::string& path) {
     if (!reader_.is_object(json, path)) return;
-    PlaceOfRobot place;
+    PlaceOnField place;
     Standing standing;
     RobotDoubt doubt;
     read_some(json, path, place, {"x", "y"}, Fields::all);

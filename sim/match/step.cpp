@@ -298,7 +298,7 @@ void topple(const Params& params, World& world) {
   if (!anybody) return;
   const AllCollisions collisions = collisions_of(common(params).contact, world);
   for_each_robot(world.players, [&](int robot) {
-    motion::topple(motion_params(params, models_of(params, robot)), collisions.of[robot], robot, world);
+    motion::topple(motion_params(params, models_of(params, robot)), collisions.closing[robot], robot, world);
   });
 }
 

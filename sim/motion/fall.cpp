@@ -21,7 +21,7 @@ const ServoClass& class_of(const FallTable& table, RandomKey key, int robot) {
   const bool walks = body.doing == Body::Doing::walking, shoved = body.touching > 0;
   const Manner manner = walks ? manner_of(body.velocity, body.turn_rate) : Manner::standing;
   const float alone = rates.per_minute[static_cast<int>(manner)];
-  return !shoved ? alone : alone + (walks ? rates.shoved_walking : rates.shoved_standing);
+  return !shoved ? alone : std::max(alone, walks ? rates.shoved_walking : rates.shoved_standing);
 }
 
 /// Returns the rate of falls of an upright body [1/s]; 0 for others.
@@ -91,15 +91,14 @@ void perhaps_fall(const MotionParams& params, std::span<const Mover> movers) {
   batch.finish();
 }
 
-void topple(const MotionParams& params, const Collision& collision, int robot, World& world) {
+void topple(const MotionParams& params, Vec2 closing, int robot, World& world) {
   const FallTable& table = params.model.falls.table;
   Body& body = world.bodies[robot];
-  if (!params.effects.falls || !table.given || collision.speed <= 0 || body.doing >= Body::Doing::fallen) return;
+  if (!params.effects.falls || !table.given || closing == Vec2{} || body.doing >= Body::Doing::fallen) return;
   const ServoClass& own = class_of(table, world.key, robot);
   const Toppling& toppling = body.doing == Body::Doing::walking ? own.walking : own.standing;
-  const Vec2 impulse = table.collisions.impulse(collision.speed) * collision.direction;
   const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::collision, world.tick);
-  if (uniform(words[0]) < toppling.probability(impulse)) fall(world.tick, body);
+  if (uniform(words[0]) < toppling.probability(table.collisions.impulse(closing))) fall(world.tick, body);
 }
 
 Tick lie(const MotionParams& params, int robot, Tick now, Tick left, World& world) {

@@ -7,7 +7,6 @@
 #include "sim/math/tick.h"
 #include "sim/motion/command.h"
 #include "sim/motion/model.h"
-#include "sim/world/contact.h"
 #include "sim/world/effects.h"
 #include "sim/world/model.h"
 #include "sim/world/world.h"
@@ -55,9 +54,10 @@ struct Mover {
 /// and the yaw waits for it. The head of a body on the ground does not move.
 void move(const MotionParams& params, std::span<const Mover> movers);
 
-/// Lets a robot fall, perhaps, in a collision of this tick. It does nothing without the effect falls, or if the model has no
-/// table of falls, or to a body on the ground. Draws collision (number: tick), and servos.
-void topple(const MotionParams& params, const Collision& collision, int robot, World& world);
+/// Lets a robot fall, perhaps, in the collisions of this tick. `closing` [m/s, robot] is as in AllCollisions. It does nothing
+/// without the effect falls, or if the model has no table of falls, or to a body on the ground. Draws collision (number: tick),
+/// and servos.
+void topple(const MotionParams& params, Vec2 closing, int robot, World& world);
 
 /// Returns the index of the kick with that name, or -1.
 int find_kick(const Model& model, std::string_view name);

@@ -17,19 +17,14 @@ namespace sim {
 /// another one.
 bool keep_bodies_apart(const field::Field& field, const ContactModel& contact, Crowd& crowd, World& world);
 
-/// A body that meets another one.
-struct Collision {
-  float speed = 0;  // [m/s] at which they close in; 0: it meets none
-  Vec2 direction;   // [robot] unit vector in which it is pushed
-};
-
-/// The hardest collision of each robot, by its index.
+/// The collisions of each robot, by its index.
 struct AllCollisions {
-  Collision of[kMaxRobots];
+  /// [m/s, robot] at which others close in on it, the way in which it is pushed: the sum over those that it meets
+  Vec2 closing[kMaxRobots];
 };
 
-/// Returns the collisions of this tick: of two bodies that touch, at least one of which touched nobody before. Call it
-/// after `keep_bodies_apart`. The result does not depend on the order of robots.
+/// Returns the collisions of this tick: of two bodies that touch after `keep_bodies_apart`, at least one of which touched nobody
+/// before. The result does not depend on the order of robots.
 AllCollisions collisions_of(const ContactModel& contact, const World& world);
 
 /// Bounces the ball off bodies and posts. Call it once a tick, after `roll`.

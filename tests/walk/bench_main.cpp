@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <future>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -141,15 +140,17 @@ robot::Result<void> change(Parameters& parameters, std::span<char*> words) {
   return {};
 }
 
-/// Returns the table of falls, or nothing if the walk gives no gait. The classes are played at once.
-std::optional<std::string> table_of(const Tested& tested, const Origin& origin) {
+/// Returns the table of falls. The classes of our own walk are played at once. Another walk may share what it keeps between
+/// its gaits, so its calls come from one thread.
+robot::Result<std::string> table_of(const Tested& tested, const Origin& origin) {
+  const auto policy = origin.parameters.empty() ? std::launch::deferred : std::launch::async;
   const auto counted = [&](Servos servos) {
-    return std::async(std::launch::async,
-                      [&, servos] { return count_falls(tested, servos, origin.first_seed, origin.robots); });
+    return std::async(policy, [&, servos] { return count_falls(tested, servos, origin.first_seed, origin.robots); });
   };
-  std::future<std::optional<FallCounts>> stiff = counted(Servos::stiff), soft = counted(Servos::soft);
-  std::optional<FallCounts> first = stiff.get(), second = soft.get();
-  if (!first || !second) return {};
+  std::future<robot::Result<FallCounts>> stiff = counted(Servos::stiff), soft = counted(Servos::soft);
+  robot::Result<FallCounts> first = stiff.get(), second = soft.get();
+  if (!first) return first.failure(origin.walk);
+  if (!second) return second.failure(origin.walk);
   return fall_table(origin, {std::move(*first), std::move(*second)});
 }
 
@@ -157,7 +158,7 @@ std::optional<std::string> table_of(const Tested& tested, const Origin& origin) 
 int print(const std::string& name, const Tested& tested, const Origin& origin) {
   if (name == "falls") {
     const auto table = table_of(tested, origin);
-    if (!table) return refuse(origin.walk + ": expected a walk from foresight_walk_begin, got none");
+    if (!table) return refuse(table.error());
     std::fputs(table->c_str(), stdout);
     return 0;
   }

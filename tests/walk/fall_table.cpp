@@ -30,6 +30,8 @@ constexpr NamedCommand kManners[] = {
     {"turning", {.turn = 0.8}},
 };
 
+constexpr Command kPushedWalk{.forward = 0.15};
+
 constexpr const char* kClasses[] = {"stiff", "soft"};  // by Servos
 
 /// The terms of a regression: slope, mean, and the share of each direction.
@@ -39,18 +41,21 @@ constexpr double kUsualSlope = 6;   // of this walk, and of those before it
 constexpr int kMostSteps = 100;     // of Newton
 constexpr double kLongest = 1;      // of one step in any term: a longer one may lead away
 constexpr double kSmallest = 1e-9;  // a step that ends the search
-constexpr double kLeastSlope = 0.5, kLeastImpulse = 0.1, kMostImpulse = 50;  // [N s]
+// the ranges that the simulator reads
+constexpr double kLeastSlope = 0.5, kMostSlope = 50;
+constexpr double kLeastImpulse = 0.1, kMostImpulse = 50;  // [N s]
+constexpr double kMostFalls = 600;                        // [1/min]
 
 double deviation_of(std::size_t term) { return term <= 1 ? 3 : 1.5; }
 
 /// Writes a number as short as it can be read.
-std::string text_of(double number) {
+std::string digits_of(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", number);
   return text;
 }
 
-Json rounded(double number) { return Json::parse(text_of(number)); }
+Json rounded(double number) { return Json::parse(digits_of(number)); }
 
 /// Returns JSON in one line, with a space behind each comma and colon.
 std::string line_of(const Json& json) {
@@ -62,6 +67,18 @@ std::string line_of(const Json& json) {
     line += line_of(value);
   }
   return json.is_object() ? "{" + line + "}" : "[" + line + "]";
+}
+
+/// Returns the table as text: an entry a line, and of the counts a line for each strength of pushes.
+std::string text_of(const Json& json, const std::string& margin = "") {
+  std::string text;
+  for (const auto& [key, value] : json.items()) {
+    text.append(text.empty() ? "\n" : ",\n").append(margin).append("  ");
+    if (json.is_object()) text.append(Json(key).dump()).append(": ");
+    const bool opens = key == "counts" || value.is_array();
+    text += opens && margin.size() < 4 ? text_of(value, margin + "  ") : line_of(value);
+  }
+  return json.is_object() ? "{" + text + "\n" + margin + "}" : "[" + text + "\n" + margin + "]";
 }
 
 Json toppling_json(const Toppling& toppling) {
@@ -83,33 +100,38 @@ Json counts_json(const std::vector<Pushed>& pushes) {
   return all;
 }
 
+/// Returns the way from `terms` to the best ones, if the logarithm of the penalised likelihood were a parabola.
+std::optional<fit::Vector> newton_step(const std::vector<Pushed>& pushes, const fit::Vector& terms) {
+  fit::Vector slope(kTerms);
+  std::vector<fit::Vector> curvature(kTerms, fit::Vector(kTerms));
+  for (std::size_t k = 0; k < kTerms; ++k) {
+    const double variance = deviation_of(k) * deviation_of(k);
+    slope[k] = ((k == 0 ? kUsualSlope : 0) - terms[k]) / variance;
+    curvature[k][k] = 1 / variance;
+  }
+  for (const Pushed& pushed : pushes)
+    for (std::size_t i = 0; i < kDirections; ++i) {
+      const auto trials = static_cast<double>(pushed.to[i].trials), falls = static_cast<double>(pushed.to[i].falls);
+      const std::array<std::pair<std::size_t, double>, 3> features = {
+          {{0, std::log(pushed.impulse / kMiddle)}, {1, 1}, {2 + i, 1}}};
+      double sum = 0;
+      for (const auto& [k, value] : features) sum += terms[k] * value;
+      const double p = 1 / (1 + std::exp(-sum));
+      for (const auto& [k, value] : features) {
+        slope[k] += (falls - trials * p) * value;
+        for (const auto& [j, other] : features) curvature[k][j] += trials * p * (1 - p) * value * other;
+      }
+    }
+  return fit::solve(std::move(curvature), std::move(slope));
+}
+
 }  // namespace
 
 Toppling fit_toppling(const std::vector<Pushed>& pushes) {
   fit::Vector terms(kTerms);
   terms[0] = kUsualSlope;
   for (int step = 0; step < kMostSteps; ++step) {
-    fit::Vector slope(kTerms);
-    std::vector<fit::Vector> curvature(kTerms, fit::Vector(kTerms));
-    for (std::size_t k = 0; k < kTerms; ++k) {
-      const double variance = deviation_of(k) * deviation_of(k);
-      slope[k] = ((k == 0 ? kUsualSlope : 0) - terms[k]) / variance;
-      curvature[k][k] = 1 / variance;
-    }
-    for (const Pushed& pushed : pushes)
-      for (std::size_t i = 0; i < kDirections; ++i) {
-        const auto trials = static_cast<double>(pushed.to[i].trials), falls = static_cast<double>(pushed.to[i].falls);
-        const std::array<std::pair<std::size_t, double>, 3> features = {
-            {{0, std::log(pushed.impulse / kMiddle)}, {1, 1}, {2 + i, 1}}};
-        double sum = 0;
-        for (const auto& [k, value] : features) sum += terms[k] * value;
-        const double p = 1 / (1 + std::exp(-sum));
-        for (const auto& [k, value] : features) {
-          slope[k] += (falls - trials * p) * value;
-          for (const auto& [j, other] : features) curvature[k][j] += trials * p * (1 - p) * value * other;
-        }
-      }
-    const auto way = fit::solve(std::move(curvature), std::move(slope));
+    const auto way = newton_step(pushes, terms);
     if (!way) break;
     double longest = 0;
     for (const double part : *way) longest = std::max(longest, std::abs(part));
@@ -118,46 +140,51 @@ Toppling fit_toppling(const std::vector<Pushed>& pushes) {
     if (longest < kSmallest) break;
   }
 
-  Toppling toppling{.slope = std::max(terms[0], kLeastSlope)};
+  Toppling toppling{.slope = std::clamp(terms[0], kLeastSlope, kMostSlope)};
   for (std::size_t i = 0; i < kDirections; ++i)
     toppling.half[i] =
         std::clamp(kMiddle * std::exp(-(terms[1] + terms[2 + i]) / toppling.slope), kLeastImpulse, kMostImpulse);
   return toppling;
 }
 
-std::optional<FallCounts> count_falls(const Tested& tested, Servos servos, std::uint64_t first_seed, int robots) {
+Result<FallCounts> count_falls(const Tested& tested, Servos servos, std::uint64_t first_seed, int robots) {
   FallCounts counts;
+  std::string problem;
   std::uint64_t seed = first_seed;  // each case has robots of its own
-  const auto seeds = [&] { return std::exchange(seed, seed + static_cast<std::uint64_t>(robots)); };
-  for (const auto& [name, command] : kManners) {
-    Walked& walked = counts.walks.emplace_back(Walked{.manner = name});
-    const bool played =
-        play(constant(command), tested, servos, seeds(), robots, [&](const Outcome& outcome, const Plan&, int) {
-          walked.falls += outcome.fell ? 1 : 0;
-          walked.minutes += outcome.time / 60;
-        });
-    if (!played) return {};
-  }
-  for (const bool walks : {false, true}) {
-    Walked& shoved = counts.walks.emplace_back(Walked{.manner = walks ? "shoved_walking" : "shoved_standing"});
-    const bool played = play(shoves({.forward = walks ? 0.15 : 0}), tested, servos, seeds(), robots,
-                             [&](const Outcome& outcome, const Plan&, int) {
-                               shoved.falls += outcome.fell ? 1 : 0;
-                               shoved.minutes += (outcome.time - kShoved) / 60;
+  const auto count = [&](const Case& one, const std::string& name, auto&& see) {
+    if (!problem.empty()) return;
+    int trials = 0;
+    const bool played = play(one, tested, servos, std::exchange(seed, seed + static_cast<std::uint64_t>(robots)),
+                             robots, [&](const Outcome& outcome, const Plan&, int direction) {
+                               ++trials;
+                               see(outcome, static_cast<std::size_t>(direction));
                              });
-    if (!played) return {};
-  }
-  for (const bool walks : {false, true})
+    if (!played)
+      problem = "expected a walk from foresight_walk_begin, got none";
+    else if (trials == 0)
+      problem = "expected robots on their feet until they are pushed, got none while " + name;
+  };
+  const auto walked = [&](const Case& one, const char* manner, double from) {
+    Walked& into = counts.walks.emplace_back(Walked{.manner = manner});
+    count(one, manner, [&](const Outcome& outcome, std::size_t) {
+      into.falls += outcome.fell ? 1 : 0;
+      into.minutes += (outcome.time - from) / 60;
+    });
+  };
+  for (const auto& [manner, command] : kManners) walked(constant(command), manner, 0);
+  walked(shoves({}), "shoved_standing", kShoved);
+  walked(shoves(kPushedWalk), "shoved_walking", kShoved);
+  for (auto* const all : {&counts.standing, &counts.walking})
     for (const double impulse : kImpulses) {
-      Pushed& pushed = (walks ? counts.walking : counts.standing).emplace_back(Pushed{.impulse = impulse, .to = {}});
-      const bool played = play(pushes(impulse, {.forward = walks ? 0.15 : 0}), tested, servos, seeds(), robots,
-                               [&](const Outcome& outcome, const Plan&, int direction) {
-                                 Trials& to = pushed.to[static_cast<std::size_t>(direction)];
-                                 ++to.trials;
-                                 to.falls += outcome.fell ? 1 : 0;
-                               });
-      if (!played) return {};
+      const bool walks = all == &counts.walking;
+      Pushed& pushed = all->emplace_back(Pushed{.impulse = impulse, .to = {}});
+      count(pushes(impulse, walks ? kPushedWalk : Command{}), walks ? "walking" : "standing",
+            [&](const Outcome& outcome, std::size_t direction) {
+              ++pushed.to[direction].trials;
+              pushed.to[direction].falls += outcome.fell ? 1 : 0;
+            });
     }
+  if (!problem.empty()) return Error{problem};
   return counts;
 }
 
@@ -172,47 +199,21 @@ std::string fall_table(const Origin& origin, const std::array<FallCounts, 2>& co
       {"mass", {{"value", 5.3}, {"unit", "kg"}, {"source", "Aldebaran's table of masses, as in tests/walk/nao_model"}}},
       {"bounce", {{"value", 0.2}, {"unit", ""}, {"source", "estimate: plastic shells, and joints that give way"}}},
       {"soft", {{"value", 0.5}, {"unit", ""}, {"source", "estimate: half of a team's robots are worn"}}}};
+  Json evidence;
   for (std::size_t one = 0; one < counts.size(); ++one) {
     const std::string name = kClasses[one];
-    Json& rates = table[name + "_rates"];
-    for (const Walked& walked : counts[one].walks)
-      rates[std::string(walked.manner)] = {{"value", rounded(walked.falls / std::max(walked.minutes, 1e-9))},
-                                           {"unit", "1/min"}};
+    for (const auto& [manner, falls, minutes] : counts[one].walks) {
+      const std::string key(manner);
+      table[name + "_rates"][key] = {{"value", rounded(std::min(falls / minutes, kMostFalls))}, {"unit", "1/min"}};
+      evidence[name + "_rates"][key] = {{"falls", falls}, {"minutes", rounded(minutes)}};
+    }
     table[name + "_standing"] = toppling_json(fit_toppling(counts[one].standing));
     table[name + "_walking"] = toppling_json(fit_toppling(counts[one].walking));
+    evidence[name + "_standing"] = counts_json(counts[one].standing);
+    evidence[name + "_walking"] = counts_json(counts[one].walking);
   }
-  Json& evidence = table["counts"];
-  for (std::size_t one = 0; one < counts.size(); ++one) {
-    Json& own = evidence[kClasses[one]];
-    for (const Walked& walked : counts[one].walks)
-      own["rates"][std::string(walked.manner)] = {{"falls", walked.falls}, {"minutes", rounded(walked.minutes)}};
-    own["standing"] = counts_json(counts[one].standing);
-    own["walking"] = counts_json(counts[one].walking);
-  }
-
-  std::string text;
-  for (const auto& [key, value] : table.items()) {
-    text.append(text.empty() ? "{\n" : ",\n").append("  ").append(Json(key).dump()).append(": ");
-    if (key != "counts") {
-      text += line_of(value);
-      continue;
-    }
-    // a line for each strength of pushes
-    std::string lines;
-    for (const auto& [name, own] : value.items())
-      for (const auto& [state, counted] : own.items()) {
-        lines.append(lines.empty() ? "{\n" : ",\n").append("    ").append(Json(name + "_" + state).dump()).append(": ");
-        if (counted.is_object()) {
-          lines += line_of(counted);
-          continue;
-        }
-        std::string rows;
-        for (const Json& row : counted) rows.append(rows.empty() ? "[\n" : ",\n").append("      ").append(line_of(row));
-        lines.append(rows).append("\n    ]");
-      }
-    text.append(lines).append("\n  }");
-  }
-  return text + "\n}\n";
+  table["counts"] = evidence;
+  return text_of(table) + "\n";
 }
 
 std::string hash_of(const Parameters& parameters) {

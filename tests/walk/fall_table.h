@@ -3,13 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "robot/core/result.h"
 #include "tests/walk/cases.h"
 
 namespace robot::nao::walk {
@@ -46,12 +45,13 @@ struct Toppling {
 };
 
 /// Fits the toppling to the counts: a penalised logistic regression, in which all directions share the slope. The penalties
-/// are those of normal priors. The slope is 6 ± 3. The impulse that topples half is 2.4 N s, times or by exp(3 / slope). A
+/// are those of normal priors. The slope is 6 ± 3. The impulse that topples half is 2.4 N s, multiplied or divided by exp(3 / slope). A
 /// direction differs from the mean by a factor of exp(1.5 / slope). Priors count where nearly all robots fall, or nearly none.
 Toppling fit_toppling(const std::vector<Pushed>& pushes);
 
-/// Counts the falls of `robots` robots of this class. Nothing if the walk gives no gait.
-std::optional<FallCounts> count_falls(const Tested& tested, Servos servos, std::uint64_t first_seed, int robots);
+/// Counts the falls of `robots` robots of this class. It is an Error if the walk gives no gait, or if all robots fall before
+/// their push.
+Result<FallCounts> count_falls(const Tested& tested, Servos servos, std::uint64_t first_seed, int robots);
 
 /// The source of the counts.
 struct Origin {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "sim/io/models.h"
 
@@ -57,6 +58,7 @@ TEST(FallTable, CountsWithoutAMiddleGiveNumbersBeyondTheirEnds) {
   for (const double half : fit_toppling(all_from(0)).half) EXPECT_TRUE(half > 0.1 && half < 1.2) << half;
   for (const double half : fit_toppling(all_from(2.4)).half) EXPECT_TRUE(half > 1.8 && half < 2.4) << half;
   for (const double half : fit_toppling({}).half) EXPECT_NEAR(half, 2.4, 1e-6);
+  EXPECT_NEAR(fit_toppling({}).slope, 6, 1e-6);
 }
 
 TEST(FallTable, MirroredCountsGiveAMirroredFit) {
@@ -87,7 +89,48 @@ TEST(FallTable, TheSimulatorReadsWhatIsPrinted) {
 
 TEST(FallTable, AWalkThatGivesNoGaitHasNone) {
   const Tested none{.stand = stand(), .hip_height = 0.2, .begin = [] { return std::unique_ptr<Gait>(); }};
-  EXPECT_FALSE(count_falls(none, Servos::stiff, 1, 1));
+  const auto counted = count_falls(none, Servos::stiff, 1, 1);
+  ASSERT_FALSE(counted);
+  EXPECT_EQ(counted.error(), "expected a walk from foresight_walk_begin, got none");
+}
+
+/// Targets that no robot stands with: both knees fold up.
+class Collapse final : public Gait {
+ public:
+  Legs tick(const Sensors&, const Command&, double) override {
+    Legs legs = stand();
+    for (auto& leg : legs) leg[2] = -1.5, leg[3] = 2, leg[4] = 0.9;
+    return legs;
+  }
+  bool steps() const override { return false; }
+};
+
+TEST(FallTable, RobotsThatFallBeforeTheirPushProveNothing) {
+  const Tested falls{.stand = stand(), .hip_height = 0.2, .begin = [] { return std::make_unique<Collapse>(); }};
+  int seen = 0;
+  EXPECT_TRUE(play(pushes(1.2, {}), falls, Servos::stiff, 1, 1, [&](const Outcome&, const Plan&, int) { ++seen; }));
+  EXPECT_EQ(seen, 0);
+  const auto counted = count_falls(falls, Servos::stiff, 1, 1);
+  ASSERT_FALSE(counted);
+  EXPECT_EQ(counted.error(), "expected robots on their feet until they are pushed, got none while shoved_standing");
+}
+
+TEST(FallTable, ShovesComeFromEachOfEightDirectionsWithEachStep) {
+  const Case shoved = shoves({});
+  ASSERT_EQ(shoved.repetitions, kDirections);
+  for (int direction = 0; direction < kDirections; ++direction) {
+    const Plan plan = shoved.plan(3, direction);
+    EXPECT_GE(plan.pushes.size(), 28u);
+    EXPECT_GE(plan.pushes.front().time, kShoved);
+    for (const Push& push : plan.pushes) EXPECT_NEAR(push.direction, direction * std::numbers::pi / 4, 1e-9);
+  }
+}
+
+TEST(FallTable, AnotherParameterIsAnotherWalk) {
+  Parameters other;
+  other.period += 1e-9;
+  EXPECT_NE(hash_of(other), hash_of({}));
+  EXPECT_EQ(hash_of({}), hash_of({}));
 }
 
 Json embedded() { return Json::parse(std::ifstream(FALLS "/foresight.json")); }
