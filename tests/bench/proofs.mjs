@@ -452,6 +452,13 @@ export const proofs = [
     by: "walk",
   },
   {
+    question:
+      "Another robot shoves with each step, from one side: falls a minute, walking and standing. Falls of a robot in 100 games of 2025: at the rates of real games; by the table of our walk, of 7,520 trials",
+    bar: "none",
+    seen: "0.12 (95 %: 0.03 to 0.32), 0 (to 0.12); 0.33 a minute; 0.040",
+    by: "walk",
+  },
+  {
     question: "A kick with a step of the walk, 106 kicks: ball hit; its speed, mean; falls",
     bar: ">= 95 %; >= 1.0 m/s; <= 1 %",
     seen: "99 %; **0.93 m/s**; 0",
