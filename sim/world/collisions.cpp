@@ -17,7 +17,9 @@ struct Sum {
     x += static_cast<std::int32_t>(velocity.x * kSpeedUnits);
     y += static_cast<std::int32_t>(velocity.y * kSpeedUnits);
   }
-  Vec2 velocity() const { return {static_cast<float>(x) * (1 / kSpeedUnits), static_cast<float>(y) * (1 / kSpeedUnits)}; }
+  Vec2 velocity() const {
+    return {static_cast<float>(x) * (1 / kSpeedUnits), static_cast<float>(y) * (1 / kSpeedUnits)};
+  }
 };
 
 }  // namespace
