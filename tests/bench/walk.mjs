@@ -186,6 +186,25 @@ async function kicks(report, robots) {
   report.figure("kick with a step: falls", percent(sum(found, "falls") / speeds.length), "%", { atMost: 1 });
 }
 
+/** Robots that lie on each side, and the guardian that gets them up. */
+async function gettingUp(report, robots) {
+  const found = await start("bench_walk", ["getting up", kFirstSeed + 90_000, Math.max(1, Math.ceil(robots))]).report;
+  for (const [side, classes] of Object.entries(found)) {
+    const all = sum(classes, "robots");
+    const name = `getting up from the ${side}`;
+    for (const [figure, told, least] of [
+      ["first", "at the first attempt", 90],
+      ["within_three", "within three attempts", 98],
+    ]) {
+      const stood = sum(classes, figure);
+      report.figure(`${name}: ${told}`, percent(stood / all), `% of ${all}`, { atLeast: least });
+      tellInterval(report, `${name}: ${told}`, binomialInterval(stood, all), 100, "%");
+    }
+    const seconds = kClasses.flatMap((one) => classes[one].seconds);
+    if (seconds.length > 0) report.figure(`${name}: time, median`, medianOf(seconds), "s");
+  }
+}
+
 export async function walk({ choices: robots = kRobots }) {
   const report = new Report("walk", "does the walk keep simulated robots on their feet?");
   console.log(
@@ -197,6 +216,7 @@ export async function walk({ choices: robots = kRobots }) {
   await shoves(report, robots);
   await games(report);
   await kicks(report, robots);
+  await gettingUp(report, robots * 0.4);
   const cost = await start("bench_walk", ["cost"]).report;
   report.figure("cost of a tick on this machine", cost.microseconds_a_tick, "us");
   const counted = startCounted("bench_walk", ["cost"], "release", "robot::nao::walk::Walk::tick*");

@@ -14,11 +14,11 @@ const skip = existsSync(pathOf(bin, "lab_robot")) ? false : "MuJoCo is missing: 
 // tests/walk judges the walk itself, in a time that does not depend on the machine. Here the physics follows the clock, so a
 // busy machine may make the robot fall.
 describe("a robot in the physics", { skip }, () => {
-  test("stands up by its chest button, obeys commands to walk and is put up again with other servos", async (t) => {
+  test("stands up by its chest button, obeys commands to walk and is put up again with other servos, and begins to get up after a fall", async (t) => {
     const world = new World(t);
     await world.startRobot("lab_robot", "stiff");
     await world.startGuardian();
-    const { server, live, newest, door } = await join(t, world, ["motion_status"]);
+    const { server, live, newest, door } = await join(t, world, ["motion_status", "body"]);
     await world.play();
     const command = commander(t, door);
     assert.ok((await world.state()).upright);
@@ -37,5 +37,10 @@ describe("a robot in the physics", { skip }, () => {
     command(kStand);
     world.happen("again soft 3");
     await world.until((state) => state.upright && state.frames > 0, "it is on its feet again");
+
+    world.happen("push 9 0");
+    await live.until(() => newest("motion_status").fall === "FALL_FALLEN", "it lies");
+    await live.until(() => newest("motion_status").running === "get_up", "it gets up");
+    assert.equal(newest("body").doing, "DOING_GETTING_UP");
   });
 });

@@ -28,9 +28,9 @@ void FakeBody::obey(const Actuators& actuators, float dt) {
   sensors.angles[1] = std::min(sensors.angles[1] + sensors.gyroscope[1] * dt, 1.5f);
 }
 
-void FakeBody::put_upright() {
+void FakeBody::turn(float roll, float pitch) {
   falls_ = false;
-  sensors.angles = {0, 0};
+  sensors.angles = {roll, pitch};
   sensors.gyroscope = {0, 0, 0};
 }
 

@@ -20,9 +20,11 @@ class FakeBody {
   /// Moves joints with stiffness at their full speed and leaves the others; the torso continues to fall.
   void obey(const robot::nao::Actuators& actuators, float dt);
 
-  /// Lets the torso tip over, or puts it upright at once.
+  /// Lets the torso tip over to the front, or turns it at once.
   void fall() { falls_ = true; }
-  void put_upright();
+  void put_upright() { turn(0, 0); }
+  void lie_on_front() { turn(0, 1.5f); }
+  void lie_on_back() { turn(0, -1.5f); }
 
   void lift() { sensors.fsr.fill(0); }
   void put_down() { sensors.fsr.fill(0.65f); }
@@ -30,6 +32,8 @@ class FakeBody {
   void hold_head(bool held) { sensors.touch[1] = sensors.touch[2] = sensors.touch[3] = held ? 1.0f : 0.0f; }
 
  private:
+  void turn(float roll, float pitch);
+
   bool falls_ = false;
 };
 

@@ -121,7 +121,8 @@ std::string GuardianLaws::judge_softness(const Actuators& answer, float dt) {
     if (pressed_ && !pressed) must_be_soft_ = false;
     pressed_ = pressed;
     held_ = body_.sensors.touch[1] > 0.5f ? held_ + 1 : 0;
-    lasts(lies_, body_.sensors.angles[1] > 0.9f);
+    const bool may_get_up = gives_orders_ && order_.posture == Order::Posture::get_up;
+    lasts(lies_, body_.sensors.angles[1] > 0.9f && !may_get_up);
     lasts(hot_, *std::max_element(body_.sensors.temperature.begin(), body_.sensors.temperature.end()) > 80);
     lasts(empty_, body_.sensors.battery[0] < 0.04f);
   }

@@ -1,7 +1,7 @@
 // bench_walk CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...]: lets drawn robots of both servo classes walk, be pushed or
-// stop, and prints one line of JSON. CASE "falls" prints the table that foresight-sim plays with --falls. LIBRARY has another
-// walk (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours. Falls are those of robots nobody tuned on, if no
-// one has used the seeds before.
+// stop, and prints one line of JSON. CASE "falls" prints the table that foresight-sim plays with --falls; "getting up" lets
+// robots lie and get up. LIBRARY has another walk (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours. Falls
+// are those of robots nobody tuned on, if no one has used the seeds before.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -22,6 +22,7 @@
 #include "tests/walk/fall_table.h"
 #include "tests/walk/foreign_walk.h"
 #include "tests/walk/our_gait.h"
+#include "tests/walk/rise.h"
 
 namespace {
 
@@ -86,6 +87,36 @@ Json played(const Case& one, const Tested& tested, std::uint64_t first_seed, int
   return all;
 }
 
+/// The robots of one class that lay on one side: how many stood at the first attempt, how many within three, and the
+/// seconds of each that stood.
+Json got_up(Servos servos, robot::nao::Lying side, std::uint64_t first_seed, int robots) {
+  int first = 0, stood = 0;
+  std::vector<double> seconds;
+  for (int i = 0; i < robots; ++i) {
+    const robot::nao::Rise rise = robot::nao::rise(servos, first_seed + static_cast<std::uint64_t>(i), side);
+    if (!rise.stood) continue;
+    first += rise.failed == 0, stood += rise.failed < 3;
+    seconds.push_back(rise.seconds);
+  }
+  return {{"robots", robots}, {"first", first}, {"within_three", stood}, {"seconds", seconds}};
+}
+
+Json getting_up(std::uint64_t first_seed, int robots) {
+  using robot::nao::Lying;
+  Json all;
+  for (const auto& [name, side] : {std::pair{"back", Lying::on_back},
+                                   {"front", Lying::on_front},
+                                   {"left", Lying::on_left},
+                                   {"right", Lying::on_right}}) {
+    const auto class_of = [&, side = side](Servos servos) {
+      return std::async(std::launch::async, [=] { return got_up(servos, side, first_seed, robots); });
+    };
+    auto stiff = class_of(Servos::stiff), soft = class_of(Servos::soft);
+    all[name] = {{"stiff", stiff.get()}, {"soft", soft.get()}};
+  }
+  return all;
+}
+
 /// Times the walk alone, on frames of a recorded trial.
 Json cost() {
   Physics physics({});
@@ -121,8 +152,8 @@ int refuse(const std::string& sentence) {
 std::string usage(const std::string& got) {
   std::string names;
   for (const auto& [name, one] : cases()) names.append(names.empty() ? "" : ", ").append(name);
-  return "expected CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...], or cost; cases are falls, " + names + "; got '" +
-         got + "'";
+  return "expected CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...], or cost; cases are falls, getting up, " + names +
+         "; got '" + got + "'";
 }
 
 /// Changes parameters by words such as "lift=0.02".
@@ -178,6 +209,10 @@ int main(int count, char** words) {
   }
   const auto found = cases().find(name);
   const int robots = count >= 4 ? std::atoi(words[3]) : 0;
+  if (name == "getting up" && count == 4 && robots > 0) {
+    std::printf("%s\n", getting_up(std::strtoull(words[2], nullptr, 10), robots).dump().c_str());
+    return 0;
+  }
   if ((found == cases().end() && name != "falls") || robots < 1) return refuse(usage(name));
   Origin origin{.walk = "ours",
                 .parameters = "",

@@ -90,6 +90,36 @@ TEST_P(BodyInPhysics, AStandingRobotStepsAfterAPush) {
   EXPECT_TRUE(robot.status().standing());
 }
 
+TEST_P(BodyInPhysics, GetsUpAfterAFallAndWalksOn) {
+  for (const double direction : {0.0, 3.1416}) {
+    SCOPED_TRACE(direction);
+    RobotInPhysics faller(GetParam(), 1, false, true);
+    faller.command.mutable_walk_speed()->set_x(0.1f);
+    faller.run(2);
+    faller.body.push(8, direction);
+    bool lay = false, got_up = false, walked = false;
+    for (int i = 0; i < 5000 && !walked; ++i) {
+      faller.cycle();
+      const pb::MotionStatus now = faller.status();
+      lay |= now.fall() == pb::MotionStatus::FALL_FALLEN;
+      got_up |= now.fall() == pb::MotionStatus::FALL_GETTING_UP && now.running() == "get_up" && now.remaining() > 0;
+      walked = got_up && now.fall() == pb::MotionStatus::FALL_UPRIGHT && now.walking();
+    }
+    EXPECT_TRUE(lay && got_up && walked);
+    faller.run(2);
+    EXPECT_TRUE(faller.body.upright());
+  }
+}
+
+TEST_P(BodyInPhysics, LiesUntilAnotherCommandIfItIsToldToRelax) {
+  RobotInPhysics faller(GetParam(), 1, false, true);
+  faller.body.push(8, 0);
+  faller.command.set_posture(pb::MotionCommand::POSTURE_RELAX);
+  faller.run(8);
+  EXPECT_FALSE(faller.body.upright());
+  EXPECT_EQ(faller.body.sensors.stiffness, PerJoint<float>{});
+}
+
 TEST_P(BodyInPhysics, WalksToAPlace) {
   const walk::Truth start = truth();
   const double x = start.x + 0.6 * std::cos(start.heading), y = start.y + 0.6 * std::sin(start.heading);

@@ -51,7 +51,7 @@ struct Choice {
     walk::DrawnRobot robot = walk::draw_robot(seed, servos);
     robot.friction = friction.value_or(robot.friction);
     robot.turf = turf;
-    return std::make_unique<LolaBody>(robot, seed);
+    return std::make_unique<LolaBody>(robot, seed, false, true);
   }
 };
 

@@ -12,6 +12,7 @@ struct Scene {
   /// Two readings of the published inertias: about the centre of mass of each link, or about its origin. Sources
   /// disagree (facts about the Nao's model), so each robot has one of both.
   bool about_origin = false;
+  bool arms = false;  // the arms move, and all limbs touch the ground, as a robot that lies there needs it
 };
 
 /// Returns the model in MuJoCo's XML. Bodies: torso, ball, box. Joints: the names of LoLA in the URDF's spelling.

@@ -18,12 +18,17 @@ constexpr double kTorsoAboveHip = 0.085;   // [m] from the hips to the origin of
 constexpr double kAngleNoise = 0.003;      // [rad]
 constexpr double kLoadNoise = 0.02;        // [kg]
 constexpr double kBallDeceleration = 0.3;  // [m/s²] on carpet: sim/data/models/match.json
+constexpr double kDroppedFrom = 0.25;      // [m] height of the torso
 constexpr double kRests = 0.02;            // [m/s] a slower ball comes to rest softly
 constexpr std::array<const char*, kLegJoints> kNames = {"HipYawPitch", "HipRoll",    "HipPitch",
                                                         "KneePitch",   "AnklePitch", "AnkleRoll"};
+constexpr std::array<const char*, kArmJoints> kArmNames = {"ShoulderPitch", "ShoulderRoll", "ElbowYaw", "ElbowRoll"};
 // by joint: speeds without load and torques of the motors with their gears
 constexpr std::array<double, kLegJoints> kSpeed = {4.16, 4.16, 6.4, 6.4, 6.4, 4.16};      // [rad/s]
 constexpr std::array<double, kLegJoints> kTorque = {13.69, 13.69, 8.9, 8.9, 8.9, 13.69};  // [N m]
+constexpr std::array<double, kArmJoints> kArmSpeed = {8.27, 7.19, 8.27, 7.19};            // [rad/s]
+constexpr std::array<double, kArmJoints> kArmTorque = {2.149, 2.477, 2.149, 2.477};       // [N m]
+constexpr double kArmShare = 0.22;  // gain, damping and armature of an arm's servo, of those of a leg: as their torques
 
 /// Loads the model through a file in memory. One thread at a time: the table of files is too large for a stack.
 mjModel* load(const std::string& xml) {
@@ -46,21 +51,28 @@ double heading_of(const mjtNum* rotation) { return std::atan2(rotation[3], rotat
 }  // namespace
 
 Physics::Physics(const Scene& scene)
-    : model_(load(model_of(scene)), mj_deleteModel), data_(mj_makeData(model_.get()), mj_deleteData) {
-  for (const Side side : {left, right})
-    for (int joint = 0; joint < kLegJoints; ++joint) {
-      const std::string name = (side == left ? "L" : "R") + std::string(kNames[static_cast<std::size_t>(joint)]);
-      const int id = mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str());
-      position_[side][static_cast<std::size_t>(joint)] = model_->jnt_qposadr[id];
-      speed_[side][static_cast<std::size_t>(joint)] = model_->jnt_dofadr[id];
-    }
+    : model_(load(model_of(scene)), mj_deleteModel),
+      data_(mj_makeData(model_.get()), mj_deleteData),
+      has_arms_(scene.arms) {
+  const auto find = [&](Side side, const char* joint, int& position, int& speed) {
+    const std::string name = (side == left ? "L" : "R") + std::string(joint);
+    const int id = mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str());
+    position = model_->jnt_qposadr[id], speed = model_->jnt_dofadr[id];
+  };
+  for (const Side side : {left, right}) {
+    for (std::size_t joint = 0; joint < kLegJoints; ++joint)
+      find(side, kNames[joint], position_[side][joint], speed_[side][joint]);
+    for (std::size_t joint = 0; has_arms_ && joint < kArmJoints; ++joint)
+      find(side, kArmNames[joint], arm_position_[side][joint], arm_speed_[side][joint]);
+  }
   torso_ = mj_name2id(model_.get(), mjOBJ_BODY, "torso");
   ball_ = mj_name2id(model_.get(), mjOBJ_BODY, "ball");
 }
 
 Physics::~Physics() = default;
 
-void Physics::reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& legs, double hip_height) {
+void Physics::reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& legs, double hip_height,
+                    const Arms& arms) {
   robot_ = robot;
   dice_ = Dice(seed * 2654435761u + 17);
   mjModel& model = *model_;
@@ -69,6 +81,12 @@ void Physics::reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& leg
       model.dof_damping[dof] = 0.1 + robot.damping;
       model.dof_armature[dof] = robot.armature;
     }
+  if (has_arms_)
+    for (const Side side : {left, right})
+      for (const int dof : arm_speed_[side]) {
+        model.dof_damping[dof] = 0.1 + kArmShare * robot.damping;
+        model.dof_armature[dof] = kArmShare * robot.armature;
+      }
   for (int geom = 0; geom < model.ngeom; ++geom) {
     const bool floor = geom == 0, round = model.geom_type[geom] == mjGEOM_SPHERE;
     // MuJoCo takes the greater friction of both sides
@@ -81,14 +99,30 @@ void Physics::reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& leg
 
   mjData& data = *data_;
   mj_resetData(&model, &data);
-  for (const Side side : {left, right})
+  for (const Side side : {left, right}) {
     for (std::size_t joint = 0; joint < kLegJoints; ++joint) data.qpos[position_[side][joint]] = legs[side][joint];
+    for (std::size_t joint = 0; has_arms_ && joint < kArmJoints; ++joint)
+      data.qpos[arm_position_[side][joint]] = arms[side][joint];
+  }
   data.qpos[2] = hip_height + kTorsoAboveHip + 0.002 + robot.turf;
   if (model.nhfield > 0) data.qpos[0] = -4, data.qpos[1] = -3 + 6 * dice_.uniform();
   mj_forward(&model, &data);
   queue_.clear();
-  target_ = legs, stiffness_ = 1;
+  target_ = {.legs = legs, .arms = arms};
   roll_ = pitch_ = sensed_at_ = 0;
+}
+
+void Physics::drop(const DrawnRobot& robot, std::uint64_t seed, const Legs& legs, const Arms& arms, double roll,
+                   double pitch) {
+  reset(robot, seed, legs, 0, arms);
+  mjData& data = *data_;
+  data.qpos[2] = kDroppedFrom;
+  // first about the torso's x, then about the world's y
+  const double a = std::cos(pitch / 2), b = std::sin(pitch / 2), c = std::cos(roll / 2), d = std::sin(roll / 2);
+  mjtNum* const rotation = data.qpos + 3;
+  rotation[0] = a * c, rotation[1] = a * d, rotation[2] = b * c, rotation[3] = -b * d;
+  mj_forward(model_.get(), data_.get());
+  pitch_ = pitch, roll_ = roll;
 }
 
 Sensors Physics::sense() {
@@ -115,27 +149,38 @@ Sensors Physics::sense() {
   return sensors;
 }
 
-void Physics::command(const Legs& targets, double stiffness) {
-  queue_.push_back({data_->time + robot_.delay, targets, stiffness});
+void Physics::command(const Legs& targets, double stiffness, const Arms& arms) {
+  queue_.push_back({data_->time + robot_.delay, targets, stiffness, arms});
+}
+
+/// Returns the torque of a servo that is `error` [rad] away. A motor has less torque at speed.
+double Physics::torque(double error, double speed, double stiffness, double share, double most, double fastest) const {
+  const double half = robot_.play / 2;
+  error -= std::clamp(error, -half, half);
+  const double wanted = stiffness * share * robot_.gain * error;
+  const double left_over = std::clamp(1 - std::copysign(1.0, wanted) * speed / fastest, 0.0, 1.0);
+  most *= robot_.torque * left_over;
+  return std::clamp(wanted, -most, most);
 }
 
 void Physics::step(double force_x, double force_y) {
   mjData& data = *data_;
   while (!queue_.empty() && queue_.front().time <= data.time + 1e-9) {
-    target_ = queue_.front().legs, stiffness_ = queue_.front().stiffness;
+    target_ = queue_.front();
     queue_.pop_front();
   }
-  for (const Side side : {left, right})
+  for (const Side side : {left, right}) {
     for (std::size_t joint = 0; joint < kLegJoints; ++joint) {
-      const double half = robot_.play / 2;
-      double error = target_[side][joint] - robot_.offset[side][joint] - data.qpos[position_[side][joint]];
-      error -= std::clamp(error, -half, half);
-      // a motor has less torque at speed
-      const double wanted = stiffness_ * robot_.gain * error, speed = data.qvel[speed_[side][joint]];
-      const double left_over = std::clamp(1 - std::copysign(1.0, wanted) * speed / kSpeed[joint], 0.0, 1.0);
-      const double most = kTorque[joint] * robot_.torque * left_over;
-      data.ctrl[side * kLegJoints + static_cast<int>(joint)] = std::clamp(wanted, -most, most);
+      const double error = target_.legs[side][joint] - robot_.offset[side][joint] - data.qpos[position_[side][joint]];
+      data.ctrl[side * kLegJoints + static_cast<int>(joint)] =
+          torque(error, data.qvel[speed_[side][joint]], target_.stiffness, 1, kTorque[joint], kSpeed[joint]);
     }
+    for (std::size_t joint = 0; has_arms_ && joint < kArmJoints; ++joint) {
+      const double error = target_.arms[side][joint] - data.qpos[arm_position_[side][joint]];
+      data.ctrl[2 * kLegJoints + side * kArmJoints + static_cast<int>(joint)] = torque(
+          error, data.qvel[arm_speed_[side][joint]], target_.stiffness, kArmShare, kArmTorque[joint], kArmSpeed[joint]);
+    }
+  }
   mjtNum* const force = data.xfrc_applied + 6 * torso_;
   force[0] = force_x, force[1] = force_y;
   if (ball_ >= 0) slow_ball();
@@ -162,7 +207,8 @@ Truth Physics::truth() const {
               .y = data.qpos[1],
               .height = data.qpos[2],
               .heading = heading_of(rotation),
-              .upright = rotation[8]};
+              .upright = rotation[8],
+              .face_up = rotation[6]};
   // the torso's z axis points where it tips
   truth.fall_direction = std::remainder(std::atan2(rotation[5], rotation[2]) - truth.heading, 2 * M_PI);
   if (ball_ >= 0) {
@@ -172,6 +218,14 @@ Truth Physics::truth() const {
     truth.ball_direction = std::remainder(std::atan2(data.qvel[dof + 1], data.qvel[dof]) - truth.heading, 2 * M_PI);
   }
   return truth;
+}
+
+Arms Physics::arms() const {
+  Arms arms{};
+  for (const Side side : {left, right})
+    for (std::size_t joint = 0; has_arms_ && joint < kArmJoints; ++joint)
+      arms[side][joint] = data_->qpos[arm_position_[side][joint]];
+  return arms;
 }
 
 double Physics::now() const { return data_->time; }

@@ -21,10 +21,18 @@ struct Truth {
   double heading = 0;               // [rad] (-π, π]
   double upright = 1;               // cosine of the tilt
   double fall_direction = 0;        // [rad] of the tilt, from the robot's front, > 0 to the left
+  double face_up = 0;               // 1: it lies on its back, -1: on its front
   double ball_x = 0, ball_y = 0;    // [m, world]
   double ball_speed = 0;            // [m/s]
   double ball_direction = 0;        // [rad] of its velocity, from the robot's front
 };
+
+/// The joints of an arm, from the shoulder to the hand.
+enum ArmJoint { shoulder_pitch, shoulder_roll, elbow_yaw, elbow_roll };
+inline constexpr int kArmJoints = 4;
+
+/// The angles of both arms, by Side and ArmJoint [rad].
+using Arms = std::array<std::array<double, kArmJoints>, 2>;
 
 /// A simulated robot with servos, delays and imperfect sensors. It may be reset for any number of robots with the same
 /// scene. Used by one thread.
@@ -35,18 +43,24 @@ class Physics {
   explicit Physics(const Scene& scene);
   ~Physics();
 
-  /// Puts the robot on its feet with these angles of the legs. `hip_height` [m] is that of the hip above the soles.
+  /// Puts the robot on its feet with these angles of the limbs. `hip_height` [m] is that of the hip above the soles.
   /// `seed` settles the noise of its sensors, and the ground.
-  void reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& legs, double hip_height);
+  void reset(const DrawnRobot& robot, std::uint64_t seed, const Legs& legs, double hip_height, const Arms& arms = {});
+
+  /// Drops the robot from a small height, its torso turned by `roll` and then `pitch` [rad]: (0, π / 2) is face down.
+  void drop(const DrawnRobot& robot, std::uint64_t seed, const Legs& legs, const Arms& arms, double roll, double pitch);
 
   /// Returns a frame of sensors.
   Sensors sense();
   /// Accepts targets, which take effect after the robot's delay. `stiffness` [0..1] is the share of the servos' gain.
-  void command(const Legs& targets, double stiffness = 1);
+  /// Arms of a scene without arms hang down, whatever their targets.
+  void command(const Legs& targets, double stiffness = 1, const Arms& arms = {});
   /// Simulates `kStep`, with a force on the torso [N, world].
   void step(double force_x, double force_y);
 
   Truth truth() const;
+  /// Returns the angles of the arms, of a scene with arms.
+  Arms arms() const;
   double now() const;
 
   /// Puts the ball on the ground [m, robot: on the ground under the torso]. It moves off ahead with `speed` [m/s].
@@ -54,22 +68,25 @@ class Physics {
 
  private:
   void slow_ball();
+  double torque(double error, double speed, double stiffness, double share, double most, double fastest) const;
 
   struct Target {
-    double time;
-    Legs legs;
-    double stiffness;
+    double time = 0;
+    Legs legs{};
+    double stiffness = 1;
+    Arms arms{};
   };
 
   std::unique_ptr<mjModel_, void (*)(mjModel_*)> model_;
   std::unique_ptr<mjData_, void (*)(mjData_*)> data_;
-  std::array<std::array<int, kLegJoints>, 2> position_{}, speed_{};  // addresses of the joints in qpos and qvel
-  int torso_ = 0, ball_ = -1;                                        // bodies
+  std::array<std::array<int, kLegJoints>, 2> position_{}, speed_{};          // addresses of the joints in qpos and qvel
+  std::array<std::array<int, kArmJoints>, 2> arm_position_{}, arm_speed_{};  // likewise, with arms
+  bool has_arms_ = false;
+  int torso_ = 0, ball_ = -1;  // bodies
   DrawnRobot robot_;
   Dice dice_{0};
   std::deque<Target> queue_;
-  Legs target_{};
-  double stiffness_ = 1;
+  Target target_;
   double roll_ = 0, pitch_ = 0;  // [rad] as the inertial unit has them
   double sensed_at_ = 0;
 };

@@ -12,8 +12,8 @@ namespace robot::nao {
 /// A robot that stands in the mode playing, and obeys `command`.
 class RobotInPhysics {
  public:
-  RobotInPhysics(walk::Servos servos, std::uint64_t seed, bool with_ball = false)
-      : body(walk::draw_robot(seed, servos), seed, with_ball) {
+  RobotInPhysics(walk::Servos servos, std::uint64_t seed, bool with_ball = false, bool with_arms = false)
+      : body(walk::draw_robot(seed, servos), seed, with_ball, with_arms) {
     cycle();
     for (int clicks = 0; clicks < 3; ++clicks) click();
     for (int i = 0; i < 500 && guardian.doing() != Doing::standing; ++i) cycle();

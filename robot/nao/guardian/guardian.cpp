@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/nao/guardian/get_up.h"
 #include "robot/nao/guardian/lights.h"
 
 namespace robot::nao {
@@ -24,14 +25,16 @@ bool drives_legs(const Order& order) {
 }  // namespace
 
 std::optional<std::array<float, 2>> Guardian::fell() const {
-  if (doing_ != Doing::falling && doing_ != Doing::fallen) return std::nullopt;
+  if (doing_ != Doing::falling && !on_ground()) return std::nullopt;
   return fell_;
 }
 
-float Guardian::remaining() const {
-  const bool moves = doing_ == Doing::standing_up || doing_ == Doing::sitting_down || doing_ == Doing::falling;
-  return moves ? player_.remaining() : 0;
+bool Guardian::moves() const {
+  return doing_ == Doing::standing_up || doing_ == Doing::sitting_down || doing_ == Doing::falling ||
+         doing_ == Doing::getting_up;
 }
+
+float Guardian::remaining() const { return moves() ? player_.remaining() : 0; }
 
 const Actuators& Guardian::step(const Cycle& cycle) {
   if (cycle.sensors) {
@@ -60,7 +63,7 @@ const Actuators& Guardian::step(const Cycle& cycle) {
   }
   heed_falls(cycle.now_ns);
   limited_ = watch_.warm() || watch_.battery_low();
-  if (const Wish wished = wish(cycle); doing_ != Doing::falling && doing_ != Doing::fallen) follow(wished);
+  if (const Wish wished = wish(cycle); doing_ != Doing::falling) follow(wished);
   move(dt);
   light(cycle.now_ns);
   return actuators_;
@@ -144,9 +147,17 @@ void Guardian::take_click(std::uint64_t now_ns) {
 
 void Guardian::heed_falls(std::uint64_t now_ns) {
   if (doing_ == Doing::fallen) {
-    if (watch_.upright_lasts()) doing_ = Doing::soft;
+    if (!watch_.upright_lasts()) return;
+    doing_ = Doing::soft;
+    attempts_ = 0;
     return;
   }
+  if (doing_ == Doing::getting_up) {
+    const Range viable = player_.frame().pitch;
+    if (sensors_.angles[1] < viable.low || sensors_.angles[1] > viable.high) end_attempt();
+    return;
+  }
+  if (doing_ == Doing::standing && watch_.upright_lasts()) attempts_ = 0;
   if (doing_ == Doing::falling) {
     if (now_ns - falls_since_ns_ >= kTuckFor_ns) doing_ = Doing::fallen;
     return;
@@ -162,15 +173,55 @@ Guardian::Wish Guardian::wish_without_order(std::uint64_t silent_ns, Reason why)
   return silent_ns >= kSitAfter_ns ? Wish::sit : Wish::hold;
 }
 
-/// Returns the action that the rules ask for, and sets the reason if it differs from the order. Falls are handled
-/// elsewhere.
+void Guardian::start_getting_up() {
+  const Lying side = lying(sensors_.angles);
+  rolls_over_ = side != Lying::on_back;
+  // the same motion would fail in the same way
+  start(Doing::getting_up, get_up(side), rolls_over_ ? 1 : kLonger[static_cast<std::size_t>(attempts_)]);
+}
+
+/// Ends the motion. A robot that has rolled over gets up next.
+void Guardian::end_getting_up() {
+  if (rolls_over_ && lying(sensors_.angles) == Lying::on_back) {
+    doing_ = Doing::fallen;
+  } else if (rolls_over_ || !watch_.upright()) {
+    end_attempt();
+  } else {
+    doing_ = Doing::standing;
+  }
+}
+
+/// Ends an attempt to get up that went wrong. The robot lies down softly.
+void Guardian::end_attempt() {
+  doing_ = Doing::fallen;
+  ++attempts_;
+}
+
+/// Returns the action that the rules ask for, and sets the reason if it differs from the order.
 Guardian::Wish Guardian::wish(const Cycle& cycle) {
+  if (doing_ == Doing::falling) {
+    reason_ = Reason::fell;
+    return Wish::soft;
+  }
+  const Wish wished = wish_upright(cycle);
+  return on_ground() ? wish_on_ground(wished) : wished;
+}
+
+/// Returns the action of a robot that would do `wish` if it were upright: it lies soft, or gets up.
+Guardian::Wish Guardian::wish_on_ground(Wish wish) {
+  if (doing_ == Doing::getting_up) return wish == Wish::get_up ? wish : Wish::soft;
+  const bool tired = attempts_ >= kAttempts;
+  reason_ = tired ? Reason::stays_down : Reason::fell;
+  return wish == Wish::get_up && !tired && watch_.still() ? wish : Wish::soft;
+}
+
+/// Returns the action that the rules ask for, without those about falls.
+Guardian::Wish Guardian::wish_upright(const Cycle& cycle) {
   const auto because = [&](Reason reason, Wish wish) {
     reason_ = reason;
     return wish;
   };
   const std::uint64_t silent_ns = cycle.now_ns - last_order_ns_, blind_ns = cycle.now_ns - last_sensors_ns_;
-  if (doing_ == Doing::falling || doing_ == Doing::fallen) return because(Reason::fell, Wish::soft);
   if (cycle.stop) return because(Reason::stopping, Wish::sit);
   if (crashed_) return because(Reason::crashed, Wish::sit);
   if (mode_ == Mode::unstiff) return because(soft_because_, Wish::sit);
@@ -188,15 +239,22 @@ Guardian::Wish Guardian::wish(const Cycle& cycle) {
     case Order::Posture::sit: return Wish::sit;
     case Order::Posture::soft: return Wish::soft;
     case Order::Posture::freeze: return Wish::hold;
+    case Order::Posture::get_up: return Wish::get_up;
   }
   return Wish::hold;  // an unknown posture
 }
 
 void Guardian::follow(Wish wish) {
+  if (on_ground()) {
+    if (wish != Wish::get_up) doing_ = Doing::fallen;
+    if (wish == Wish::get_up && doing_ == Doing::fallen) start_getting_up();
+    return;
+  }
   if (wish == Wish::soft) {
     doing_ = Doing::soft;
     return;
   }
+  if (wish == Wish::get_up) wish = Wish::stand;
   if (wish != Wish::stand) feet_missed_ = false;
   // sitting down is never interrupted
   if (soft() ? wish != Wish::stand : doing_ == Doing::sitting_down) return;
@@ -208,7 +266,8 @@ void Guardian::follow(Wish wish) {
       doing_ = Doing::holding;
       return;
     case Wish::stand: return rise();
-    case Wish::soft: return;
+    case Wish::soft:
+    case Wish::get_up: return;
   }
 }
 
@@ -250,11 +309,11 @@ void Guardian::rise() {
   start(Doing::standing_up, soft() ? stand_up() : stand());
 }
 
-void Guardian::start(Doing doing, KeyFrames motion) {
+void Guardian::start(Doing doing, KeyFrames motion, float longer) {
   doing_ = doing;
   ends_walk_ = false;
   if (limiter_.pose().stiffness == PerJoint<float>{}) limiter_.soften(sensors_.position);
-  player_.play(motion, limiter_.pose().position);
+  player_.play(motion, limiter_.pose().position, longer);
 }
 
 bool Guardian::in_stand() const {
@@ -277,10 +336,11 @@ Pose Guardian::standing_pose() const {
 }
 
 void Guardian::move(float dt) {
-  const bool moves = doing_ == Doing::standing_up || doing_ == Doing::sitting_down || doing_ == Doing::falling;
-  if (moves) limiter_.next(player_.next(dt), sensors_.position, dt, 1);
+  const bool plays = moves();
+  if (plays) limiter_.next(player_.next(dt), sensors_.position, dt, 1);
   if (doing_ == Doing::standing) limiter_.next(standing_pose(), sensors_.position, dt, limited_ ? 0.5f : 1);
-  if (moves && player_.finished()) {
+  if (plays && player_.finished()) {
+    if (doing_ == Doing::getting_up) end_getting_up();
     if (doing_ == Doing::standing_up) doing_ = Doing::standing;
     if (doing_ == Doing::sitting_down) doing_ = Doing::soft;
   }

@@ -29,7 +29,8 @@ struct Cycle {
 /// The guardian of the joints. In each cycle it follows the first of these rules that applies:
 ///
 ///   the three head sensors held, or sit_and_soft   no joint has stiffness from that cycle on, until the chest button
-///   it falls                                       tucks in, then is soft; when it is upright again it may stand up
+///   it falls                                       tucks in, then is soft; when it is upright again it may stand up.
+///                                                  If ordered, it gets up once it lies still, in up to three attempts
 ///   asked to end; a joint too hot; battery empty   sits down, then is soft
 ///   the third crash of the runtime in a minute     the same, with red eyes, until the chest button
 ///   no order, or no readable frame                 for 0.1 s: holds still; for 3 s: sits down, then is soft. A robot
@@ -50,6 +51,8 @@ class Guardian {
   static constexpr std::uint64_t kTuckFor_ns = 1'000'000'000;  // from the beginning of a fall
   static constexpr std::uint64_t kCrashWindow_ns = 60'000'000'000;
   static constexpr std::size_t kCrashes = 3;
+  static constexpr int kAttempts = 3;                                    // to get up after a fall
+  static constexpr std::array<float, kAttempts> kLonger{1, 1.2f, 1.4f};  // durations of the attempts
   static constexpr float kLongestStep = 0.012f;  // [s] longest motion of the joints in one cycle, also when it is late
 
   explicit Guardian(WatchBounds bounds = {}) : watch_(bounds) {}
@@ -70,18 +73,28 @@ class Guardian {
   /// Returns roll and pitch of the torso when it fell [rad], or nothing while the robot does not fall or lie.
   std::optional<std::array<float, 2>> fell() const;
 
+  /// Returns the number of attempts to get up that failed since it was last upright.
+  int failed_attempts() const { return attempts_; }
+
   /// Returns the time until the current motion ends [s].
   float remaining() const;
 
  private:
-  enum class Wish { soft, sit, hold, stand };
+  enum class Wish { soft, sit, hold, stand, get_up };
 
   void begin(const Cycle& cycle);
   void take_order(const Cycle& cycle);
   void count_crash(std::uint64_t now_ns);
   void take_click(std::uint64_t now_ns);
   void heed_falls(std::uint64_t now_ns);
+  bool on_ground() const { return doing_ == Doing::fallen || doing_ == Doing::getting_up; }
+  bool moves() const;
+  void start_getting_up();
+  void end_getting_up();
+  void end_attempt();
   Wish wish(const Cycle& cycle);
+  Wish wish_on_ground(Wish wish);
+  Wish wish_upright(const Cycle& cycle);
   Wish wish_without_order(std::uint64_t silent_ns, Reason why);
   void follow(Wish wish);
   bool ends_walk();
@@ -89,7 +102,7 @@ class Guardian {
   void move(float dt);
   Pose standing_pose() const;
   bool in_stand() const;
-  void start(Doing doing, KeyFrames motion);
+  void start(Doing doing, KeyFrames motion, float longer = 1);
   void light(std::uint64_t now_ns);
 
   Watch watch_;
@@ -113,6 +126,8 @@ class Guardian {
   bool holds_stand_ = false;  // the held pose is the stand
   bool ends_walk_ = false;    // the motion is the one of ends_walk()
   bool feet_missed_ = false;  // it sat down again because there was no weight on its feet
+  bool rolls_over_ = false;   // the motion that gets it up ends on the back
+  int attempts_ = 0;          // to get up that failed since it was last upright
 
   std::uint64_t last_ns_ = 0, last_order_ns_ = 0, last_sensors_ns_ = 0, falls_since_ns_ = 0;
   std::array<std::uint64_t, kCrashes> crash_ns_{};  // the last crashes, the newest first; 0: none

@@ -83,8 +83,34 @@ KeyFrames tuck() { return kTuckIn; }
 
 const KeyFrame& stand_pose() { return kToStand[0]; }
 
-void Player::play(KeyFrames motion, const PerJoint<float>& start) {
+PerJoint<float> mirrored(const PerJoint<float>& positions) {
+  struct Pair {
+    Joint left, right;
+    float sign;  // of the right angle of the same pose
+  };
+  constexpr Pair kPairs[] = {{l_shoulder_pitch, r_shoulder_pitch, 1},
+                             {l_shoulder_roll, r_shoulder_roll, -1},
+                             {l_elbow_yaw, r_elbow_yaw, -1},
+                             {l_elbow_roll, r_elbow_roll, -1},
+                             {l_wrist_yaw, r_wrist_yaw, -1},
+                             {l_hip_roll, r_hip_roll, -1},
+                             {l_hip_pitch, r_hip_pitch, 1},
+                             {l_knee_pitch, r_knee_pitch, 1},
+                             {l_ankle_pitch, r_ankle_pitch, 1},
+                             {l_ankle_roll, r_ankle_roll, -1},
+                             {l_hand, r_hand, 1}};
+  PerJoint<float> other = positions;
+  for (const auto& [left, right, sign] : kPairs) {
+    other[left] = sign * positions[right];
+    other[right] = sign * positions[left];
+  }
+  other[head_yaw] = -positions[head_yaw];
+  return other;
+}
+
+void Player::play(KeyFrames motion, const PerJoint<float>& start, float longer) {
   motion_ = motion;
+  longer_ = longer;
   from_ = start;
   frame_ = 0;
   elapsed_ = 0;
@@ -93,14 +119,15 @@ void Player::play(KeyFrames motion, const PerJoint<float>& start) {
 Pose Player::next(float dt) {
   assert(!motion_.empty() && "a motion is played before it is asked for");
   elapsed_ += dt;
-  const KeyFrame& frame = motion_[std::min(frame_, motion_.size() - 1)];
-  const float part = finished() ? 1 : smooth(std::min(elapsed_ / frame.seconds, 1.0f));
+  const KeyFrame& frame = this->frame();
+  const float seconds = longer_ * frame.seconds;
+  const float part = finished() ? 1 : smooth(std::min(elapsed_ / seconds, 1.0f));
   Pose pose;
   for (std::size_t joint = 0; joint < kJoints; ++joint)
     pose.position[joint] =
         part == 1 ? frame.position[joint] : from_[joint] + part * (frame.position[joint] - from_[joint]);
   pose.stiffness.fill(frame.stiffness);
-  if (!finished() && elapsed_ >= frame.seconds) {
+  if (!finished() && elapsed_ >= seconds) {
     from_ = frame.position;
     elapsed_ = 0;
     ++frame_;
@@ -110,7 +137,7 @@ Pose Player::next(float dt) {
 
 float Player::remaining() const {
   float seconds = -elapsed_;
-  for (std::size_t frame = frame_; frame < motion_.size(); ++frame) seconds += motion_[frame].seconds;
+  for (std::size_t frame = frame_; frame < motion_.size(); ++frame) seconds += longer_ * motion_[frame].seconds;
   return finished() ? 0 : seconds;
 }
 

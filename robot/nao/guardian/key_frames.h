@@ -1,6 +1,7 @@
 // Motions of the whole body as sequences of poses, and their player.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "robot/nao/guardian/limiter.h"
@@ -14,6 +15,7 @@ struct KeyFrame {
   float stiffness;           // [0..1] of all joints
   float seconds;             // since the previous pose
   bool needs_feet = false;   // begins only with weight on the feet
+  Range pitch{-4, 4};        // [rad] of the torso while it is played; the motion is broken off outside
 };
 
 using KeyFrames = std::span<const KeyFrame>;
@@ -25,17 +27,23 @@ KeyFrames stand();     // from any upright pose, straight to the stand
 KeyFrames sit();       // from the stand to a squat in which calves and thighs carry the robot
 KeyFrames tuck();      // in a fall: protects arms and head, with joints that give way
 
+/// Returns these positions with left and right exchanged [rad].
+PerJoint<float> mirrored(const PerJoint<float>& positions);
+
 /// Returns the pose in which the robot stands.
 const KeyFrame& stand_pose();
 
 /// A player of one motion. Between key frames the joints speed up and slow down smoothly.
 class Player {
  public:
-  /// Starts `motion` from `start`, the commanded positions of the joints.
-  void play(KeyFrames motion, const PerJoint<float>& start);
+  /// Starts `motion` from `start`, the commanded positions of the joints. It takes `longer` times its durations.
+  void play(KeyFrames motion, const PerJoint<float>& start, float longer = 1);
 
   /// Returns the pose `dt` [s] later.
   Pose next(float dt);
+
+  /// Returns the key frame that is played, or the last one.
+  const KeyFrame& frame() const { return motion_[std::min(frame_, motion_.size() - 1)]; }
 
   bool finished() const { return frame_ >= motion_.size(); }
   float remaining() const;  // [s]
@@ -46,6 +54,7 @@ class Player {
  private:
   KeyFrames motion_;
   PerJoint<float> from_{};
+  float longer_ = 1;
   std::size_t frame_ = 0;
   float elapsed_ = 0;  // [s] in this key frame
 };

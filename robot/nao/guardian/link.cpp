@@ -22,6 +22,7 @@ const char* sentence_of(Reason reason) {
     case Reason::waits_for_game: return "after a restart the robot waits for the GameController or the chest button";
     case Reason::not_upright: return "the robot does not stand up: expected an upright torso";
     case Reason::feet_unloaded: return "the robot does not stand up: expected weight on its feet";
+    case Reason::stays_down: return "the robot did not get up in three attempts: it is soft until it is upright again";
     case Reason::warm: return "a joint is warm: the robot moves at half its speed";
     case Reason::battery_low: return "the battery is low: the robot moves at half its speed";
   }
@@ -47,6 +48,7 @@ const char* name_of(Doing doing) {
     case Doing::sitting_down: return "sitting down";
     case Doing::falling: return "falling";
     case Doing::fallen: return "fallen";
+    case Doing::getting_up: return "getting up";
   }
   return "?";
 }

@@ -24,6 +24,7 @@ enum class Doing : std::uint8_t {
   sitting_down,
   falling,  // tucks in
   fallen,   // lies without stiffness
+  getting_up,
 };
 
 /// Reason why the body does not obey: the first that applies.
@@ -43,6 +44,7 @@ enum class Reason : std::uint8_t {
   waits_for_game,
   not_upright,
   feet_unloaded,
+  stays_down,
   warm,
   battery_low,
 };
@@ -65,11 +67,17 @@ struct GameWord {
   friend bool operator==(const GameWord&, const GameWord&) = default;
 };
 
-inline constexpr std::uint32_t kOrderLayout = 0x4f01, kReportLayout = 0x5202, kRequestLayout = 0x5101;
+inline constexpr std::uint32_t kOrderLayout = 0x4f02, kReportLayout = 0x5203, kRequestLayout = 0x5101;
 
 /// The runtime's order, sent after every report. Without new orders the body holds still, then sits, then softens.
 struct Order {
-  enum class Posture : std::uint8_t { stand, sit, freeze, soft };
+  enum class Posture : std::uint8_t {
+    stand,
+    sit,
+    freeze,
+    soft,
+    get_up,  // if it lies; an upright robot stands
+  };
 
   std::uint32_t layout = kOrderLayout;
   Posture posture = Posture::stand;

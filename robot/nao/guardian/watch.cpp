@@ -25,6 +25,10 @@ void Watch::see(const Sensors& sensors, std::uint64_t now_ns) {
   upright_ = lean < bounds_.upright;
   falls_ = lean > bounds_.falls || (lean > bounds_.falls_soon / 2 && lean_soon > bounds_.falls_soon);
   upright_lasts_.see(upright_, now_ns, kUprightLasts_ns);
+  const float turns =
+      std::max({std::abs(sensors.gyroscope[0]), std::abs(sensors.gyroscope[1]), std::abs(sensors.gyroscope[2])});
+  still_.see(turns < bounds_.still, now_ns, bounds_.lasts_ns);
+  if (turns >= bounds_.still) still_ = {.value = false, .since_ns = now_ns};  // at once
 
   on_feet_ = std::accumulate(sensors.fsr.begin(), sensors.fsr.end(), 0.0f) >= bounds_.on_feet;
 

@@ -18,6 +18,7 @@ struct WatchBounds {
   float low = 0.1f;                      // [0..1] of the battery: half the speed below
   float empty = 0.05f;                   // [0..1] sits below, until it is charged or above `low`
   float on_feet = 1;                     // [kg] that the foot sensors must carry together
+  float still = 0.3f;                    // [rad/s] a robot that lies still turns more slowly
   std::uint64_t lasts_ns = 500'000'000;  // shorter states count as wrong readings
 };
 
@@ -32,6 +33,7 @@ class Watch {
   bool upright_lasts() const { return upright_lasts_.value; }
   bool falls() const { return falls_; }
   bool on_feet() const { return on_feet_; }
+  bool still() const { return still_.value; }
   bool warm() const { return warm_.value; }
   bool hot() const { return hot_.value; }
   bool battery_low() const { return low_.value; }
@@ -47,7 +49,7 @@ class Watch {
 
   WatchBounds bounds_;
   bool upright_ = false, falls_ = false, on_feet_ = false;
-  Lasting upright_lasts_, warm_, hot_, low_, empty_;
+  Lasting upright_lasts_, still_, warm_, hot_, low_, empty_;
 };
 
 }  // namespace robot::nao

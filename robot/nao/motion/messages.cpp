@@ -37,6 +37,7 @@ pb::Body::Doing doing_of(Doing doing) {
     case Doing::sitting_down: return pb::Body::DOING_SITTING_DOWN;
     case Doing::falling: return pb::Body::DOING_FALLING;
     case Doing::fallen: return pb::Body::DOING_FALLEN;
+    case Doing::getting_up: return pb::Body::DOING_GETTING_UP;
   }
   return pb::Body::DOING_UNSPECIFIED;
 }
@@ -46,7 +47,17 @@ const char* motion_of(Doing doing) {
     case Doing::standing_up: return "stand_up";
     case Doing::sitting_down: return "sit";
     case Doing::falling: return "tuck";
+    case Doing::getting_up: return "get_up";
     default: return "";
+  }
+}
+
+pb::MotionStatus::Fall fall_of(Doing doing) {
+  switch (doing) {
+    case Doing::falling: return pb::MotionStatus::FALL_FALLING;
+    case Doing::fallen: return pb::MotionStatus::FALL_FALLEN;
+    case Doing::getting_up: return pb::MotionStatus::FALL_GETTING_UP;
+    default: return pb::MotionStatus::FALL_UPRIGHT;
   }
 }
 
@@ -165,9 +176,7 @@ void fill(const Report& report, pb::MotionStatus& status) {
   status.set_remaining(report.remaining);
   status.set_support_foot(support_of(report));
   status.set_ground_contact(load(report, 0) + load(report, 4) >= kOnGround);
-  status.set_fall(report.doing == Doing::falling  ? pb::MotionStatus::FALL_FALLING
-                  : report.doing == Doing::fallen ? pb::MotionStatus::FALL_FALLEN
-                                                  : pb::MotionStatus::FALL_UPRIGHT);
+  status.set_fall(fall_of(report.doing));
   if (!report.lies_known) return;
   status.set_fall_side(side_of(report.lies_roll, report.lies_pitch));
   if (report.doing == Doing::fallen) status.set_support_foot(pb::MotionStatus::SUPPORT_FOOT_NONE);

@@ -22,13 +22,11 @@ float speed_of(bool given, float speed, std::size_t joint) {
 }
 
 /// Returns why the body cannot do this, or "" if it can.
-std::string refusal_of(const pb::MotionCommand& command, Doing doing) {
+std::string refusal_of(const pb::MotionCommand& command) {
   if (command.has_kick() && !command.kick().in_walk())
     return "body nao kicks only with a step of the walk (in_walk): it stands";
   if (command.has_scripted())
     return "body nao has no motion '" + command.scripted().name().substr(0, 40) + "': it stands";
-  if (command.posture() == pb::MotionCommand::POSTURE_GET_UP && (doing == Doing::fallen || doing == Doing::falling))
-    return "body nao does not get up from the ground yet: the robot waits until a person puts it upright";
   return "";
 }
 
@@ -61,11 +59,12 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
   if (game) order.game = word_of(*game);
   refused_.clear();
   kick_age_ += dt;
-  if (!command || command_age_ns > kCommandLasts_ns) {
+  const bool obeys = command && command_age_ns <= kCommandLasts_ns;
+  if (!obeys) {
     posture_ = Order::Posture::stand;
     walk_ = {};
   } else {
-    refused_ = refusal_of(*command, report.doing);
+    refused_ = refusal_of(*command);
     posture_ = posture_of(*command);
     take_walk(*command);
     aim(report, *command);
@@ -73,6 +72,8 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
   // a walking robot stands before it sits or holds still: a foot may be in the air
   const bool stops = posture_ != Order::Posture::soft && legs_.steps();
   order.posture = stops ? Order::Posture::stand : posture_;
+  const bool down = report.doing == Doing::fallen || report.doing == Doing::getting_up;
+  if (down && obeys && posture_ == Order::Posture::stand) order.posture = Order::Posture::get_up;
   if (may_walk_) legs_.drive(report, walk_, dt, order);
   if (legs_.kicks()) {
     kicking_ = Kicking::begun;

@@ -14,10 +14,10 @@ namespace robot::nao {
 
 namespace pb = foresight;
 
-/// The motions of the body `nao`: it walks, kicks with a step, turns the head, stands, sits, freezes and softens. It has no
-/// kicks on one leg and does not get up from the ground yet: it stands instead, and refused() says so. Pure; used by one
-/// thread.
+/// The motions of the body `nao`: it walks, kicks with a step, turns the head, stands, sits, freezes, softens and gets up.
+/// It has no kicks on one leg: it stands instead, and refused() says so. Pure; used by one thread.
 ///
+/// A robot that lies gets up, as the body `sim` does, unless its newest command is to sit, freeze or relax.
 /// The first command to walk gives the legs to the walk. From then on a standing robot that is pushed makes steps.
 class Motion {
  public:

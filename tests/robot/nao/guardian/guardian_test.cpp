@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "tests/support/fake_body.h"
 
@@ -465,6 +467,109 @@ TEST_F(NaoGuardian, StandsUpAgainOnceItIsUprightAfterAFall) {
   run(0.5);
   EXPECT_FALSE(has_stiffness()) << "a person may still be putting it down";
   until(Doing::standing);
+}
+
+/// A robot that lies on its back, and is ordered to get up.
+struct NaoGuardianOnGround : NaoGuardian {
+  void SetUp() override {
+    play();
+    body.lie_on_back();
+    until(Doing::fallen);
+    order.posture = Order::Posture::get_up;
+  }
+  void until_it_gets_up() { until(Doing::getting_up); }
+};
+
+TEST_F(NaoGuardianOnGround, GetsUpWhenOrderedAndStands) {
+  until_it_gets_up();
+  run(0.1);
+  EXPECT_TRUE(has_stiffness());
+  EXPECT_TRUE(guardian.fell()) << "it has not stood up yet";
+  EXPECT_GT(guardian.remaining(), 1);
+  body.put_upright();  // tests/walk plays it in the physics
+  until(Doing::standing);
+  EXPECT_FALSE(guardian.fell());
+  EXPECT_EQ(guardian.reason(), Reason::none);
+  run(1);
+  EXPECT_TRUE(stands());
+}
+
+TEST_F(NaoGuardianOnGround, RollsOverFirst) {
+  body.lie_on_front();
+  until_it_gets_up();
+  EXPECT_LT(guardian.remaining(), 5) << "it only rolls over";
+  run(0.5);
+  body.lie_on_back();
+  until(Doing::fallen);
+  EXPECT_EQ(guardian.failed_attempts(), 0);
+  until_it_gets_up();
+  EXPECT_GT(guardian.remaining(), 5);
+}
+
+TEST_F(NaoGuardianOnGround, LiesSoftWithoutThatOrder) {
+  for (const Order::Posture posture :
+       {Order::Posture::stand, Order::Posture::sit, Order::Posture::freeze, Order::Posture::soft}) {
+    order.posture = posture;
+    run(3);
+    EXPECT_EQ(guardian.doing(), Doing::fallen);
+    EXPECT_FALSE(has_stiffness());
+    EXPECT_EQ(guardian.reason(), Reason::fell);
+  }
+}
+
+TEST_F(NaoGuardianOnGround, WaitsUntilItLiesStill) {
+  for (int i = 0; i < 300; ++i) {
+    body.sensors.gyroscope = {i % 2 == 0 ? 1.0f : -1.0f, 0, 0};
+    cycle();
+    ASSERT_EQ(guardian.doing(), Doing::fallen);
+  }
+}
+
+TEST_F(NaoGuardianOnGround, IsSoftAtOnceWhenAnythingElseApplies) {
+  const std::pair<const char*, std::function<void()>> events[] = {
+      {"head", [&] { body.hold_head(true); }},
+      {"another order", [&] { order.posture = Order::Posture::sit; }},
+      {"penalised", [&] { hear(true, GameState::playing); }},
+      {"hung runtime", [&] { alive = false; }},
+      {"heat", [&] { body.sensors.temperature[l_knee_pitch] = 80; }},
+      {"an empty battery", [&] { body.sensors.battery[0] = 0.02f; }}};
+  for (const auto& [name, befall] : events) {
+    SCOPED_TRACE(name);
+    until_it_gets_up();
+    run(0.3);
+    ASSERT_TRUE(has_stiffness());
+    befall();
+    run(0.6);
+    EXPECT_FALSE(has_stiffness());
+    // restores the start for the next round
+    body = tests::FakeBody();
+    guardian = Guardian();
+    order = {};
+    alive = true;
+    SetUp();
+  }
+}
+
+TEST_F(NaoGuardianOnGround, GivesUpAfterThreeAttempts) {
+  int attempts = 0;
+  for (int i = 0; i < 10'000 && guardian.reason() != Reason::stays_down; ++i) {
+    const Doing before = guardian.doing();
+    cycle();  // the torso never rises
+    attempts += before == Doing::fallen && guardian.doing() == Doing::getting_up;
+  }
+  EXPECT_EQ(attempts, Guardian::kAttempts);
+  run(10);
+  EXPECT_FALSE(has_stiffness());
+  EXPECT_EQ(guardian.reason(), Reason::stays_down);
+  EXPECT_STREQ(sentence_of(guardian.reason()),
+               "the robot did not get up in three attempts: it is soft until it is upright again");
+  // a person puts it upright: it may fall and get up again
+  body.put_upright();
+  until(Doing::standing);
+  run(2);
+  body.lie_on_back();
+  until(Doing::fallen);
+  until_it_gets_up();
 }
 
 TEST_F(NaoGuardian, MovesAtHalfTheSpeedWhileWarmOrLow) {

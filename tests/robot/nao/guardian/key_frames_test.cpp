@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
+
+#include "robot/nao/guardian/get_up.h"
 
 namespace robot::nao {
 namespace {
@@ -15,10 +18,16 @@ struct Named {
   const char* name;
   KeyFrames motion;
 };
+constexpr Lying kSides[] = {Lying::on_back, Lying::on_front, Lying::on_left, Lying::on_right};
+
+bool contains(Range range, float value) { return value >= range.low && value <= range.high; }
+
 const Named kAll[] = {{"stand_up", stand_up()}, {"stand", stand()}, {"sit", sit()}, {"tuck", tuck()}};
 
 TEST(KeyFrames, AreWithinTheLimitsOfTheJoints) {
-  for (const Named& named : kAll)
+  std::vector<Named> all(std::begin(kAll), std::end(kAll));
+  for (const Lying side : kSides) all.push_back({"get_up", get_up(side)});
+  for (const Named& named : all)
     for (const KeyFrame& frame : named.motion) {
       EXPECT_GT(frame.seconds, 0) << named.name;
       EXPECT_GT(frame.stiffness, 0) << named.name;
@@ -49,6 +58,39 @@ TEST(KeyFrames, AreTheSameLeftAndRight) {
     }
 }
 
+TEST(GetUp, FindsTheSideThatIsDown) {
+  EXPECT_EQ(lying({0.1f, -1.5f}), Lying::on_back);
+  EXPECT_EQ(lying({-0.1f, 1.5f}), Lying::on_front);
+  EXPECT_EQ(lying({3.1f, -1.4f}), Lying::on_back) << "the roll says nothing then";
+  EXPECT_EQ(lying({-2.5f, 1.4f}), Lying::on_front);
+  EXPECT_EQ(lying({-1.5f, 0.2f}), Lying::on_left);
+  EXPECT_EQ(lying({1.5f, -0.2f}), Lying::on_right);
+}
+
+TEST(GetUp, EndsInTheStandFromTheBack) { EXPECT_EQ(get_up(Lying::on_back).back().position, stand_pose().position); }
+
+TEST(GetUp, RollsToTheRightAsToTheLeft) {
+  const KeyFrames left = get_up(Lying::on_left), right = get_up(Lying::on_right);
+  ASSERT_EQ(left.size(), right.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    EXPECT_EQ(right[i].position, mirrored(left[i].position));
+    EXPECT_EQ(right[i].seconds, left[i].seconds);
+  }
+}
+
+TEST(GetUp, BreaksOffOnlyWhenTheRobotShouldSit) {
+  for (const Lying side : kSides)
+    for (const float lies : {-1.55f, 1.55f})
+      EXPECT_TRUE(contains(get_up(side).front().pitch, lies)) << "it lies when it begins";
+  for (const float lies : {-1.55f, 1.55f}) EXPECT_FALSE(contains(get_up(Lying::on_back).back().pitch, lies));
+  EXPECT_TRUE(contains(get_up(Lying::on_back).back().pitch, 0));
+}
+
+TEST(KeyFrames, MirroredTwiceAreTheSame) {
+  for (const Lying side : kSides)
+    for (const KeyFrame& frame : get_up(side)) EXPECT_EQ(mirrored(mirrored(frame.position)), frame.position);
+}
+
 /// Returns the distance of the hips in front of the ankles [m], with flat feet.
 float hips_before_ankles(const PerJoint<float>& p, float torso_pitch) {
   const float thigh = torso_pitch + p[l_hip_pitch], tibia = thigh + p[l_knee_pitch];
@@ -69,6 +111,19 @@ TEST(KeyFrames, OfStandingAndSittingKeepFeetFlatAndWeightAboveThem) {
       EXPECT_LT(hips_before_ankles(p, torso), 0.06f) << named.name;
     }
   }
+}
+
+TEST(KeyFrames, TakeLongerWhenAsked) {
+  const auto seconds = [](float longer) {
+    Player player;
+    player.play(sit(), stand_pose().position, longer);
+    EXPECT_NEAR(player.remaining(), longer * sit()[0].seconds, 1e-5);
+    int cycles = 0;
+    for (; !player.finished(); ++cycles) player.next(kCycle);
+    return static_cast<float>(cycles) * kCycle;
+  };
+  EXPECT_NEAR(seconds(1), 1.8, 0.02);
+  EXPECT_NEAR(seconds(1.5f), 2.7, 0.02);
 }
 
 TEST(KeyFrames, AskForNoMoreThanHalfTheSpeed) {

@@ -87,6 +87,21 @@ TEST_F(NaoWatch, ReportsALowBatteryUnlessItIsCharged) {
   EXPECT_FALSE(watch.battery_empty() || watch.battery_low());
 }
 
+TEST_F(NaoWatch, IsStillOnlyAfterHalfASecondWithoutATurn) {
+  see(0.4);
+  EXPECT_FALSE(watch.still());
+  see(0.2);
+  EXPECT_TRUE(watch.still());
+  body.sensors.gyroscope = {0, 0, -0.4f};
+  see();
+  EXPECT_FALSE(watch.still()) << "at once";
+  body.sensors.gyroscope = {0, 0, -0.2f};
+  see(0.4);
+  EXPECT_FALSE(watch.still());
+  see(0.2);
+  EXPECT_TRUE(watch.still());
+}
+
 TEST_F(NaoWatch, DetectsWhetherItStandsOnItsFeet) {
   body.lift();
   see();

@@ -314,11 +314,22 @@ TEST_F(NaoMotion, RefusesMissingMotionsWithASentence) {
   command.mutable_scripted()->set_name("dance");
   next();
   EXPECT_EQ(motion.refused(), "body nao has no motion 'dance': it stands");
-  command.set_posture(pb::MotionCommand::POSTURE_GET_UP);
-  report.doing = Doing::fallen;
-  next();
-  EXPECT_EQ(motion.refused(),
-            "body nao does not get up from the ground yet: the robot waits until a person puts it upright");
+}
+
+TEST_F(NaoMotion, ARobotThatLiesGetsUpUnlessItIsToldToStayDown) {
+  for (const Doing down : {Doing::fallen, Doing::getting_up}) {
+    report.doing = down;
+    command.mutable_walk_speed()->set_x(0.1f);
+    EXPECT_EQ(next().posture, Order::Posture::get_up) << "as the body sim does";
+    EXPECT_EQ(next(2 * Motion::kCommandLasts_ns).posture, Order::Posture::stand) << "not by an old command";
+    command.set_posture(pb::MotionCommand::POSTURE_GET_UP);
+    EXPECT_EQ(next().posture, Order::Posture::get_up);
+    EXPECT_EQ(motion.refused(), "");
+    command.set_posture(pb::MotionCommand::POSTURE_SIT);
+    EXPECT_EQ(next().posture, Order::Posture::sit);
+    command.set_posture(pb::MotionCommand::POSTURE_RELAX);
+    EXPECT_EQ(next().posture, Order::Posture::soft);
+  }
 }
 
 TEST_F(NaoMotion, SendsTheGameControllersState) {
