@@ -58,6 +58,7 @@ class RobotInPhysics {
     Report report;
     report.mode = guardian.mode();
     report.doing = guardian.doing();
+    report.remaining = guardian.remaining();
     report.has_sensors = true;
     report.capture_ns = now_ns;
     report.sensors = body.sensors;

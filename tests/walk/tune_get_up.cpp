@@ -23,9 +23,11 @@ namespace {
 using namespace robot::nao;
 using namespace robot::nao::walk;
 
-constexpr float kCycle = 0.012f;  // [s] of LoLA
-constexpr int kSteps = 6;         // of the physics in a cycle
-constexpr double kSettles = 1.5;  // [s] without stiffness, before the motion
+constexpr float kCycle = 0.012f;           // [s] of LoLA
+constexpr int kSteps = 6;                  // of the physics in a cycle
+constexpr double kTucks = 1, kLies = 0.6;  // [s] before the motion, as under the guardian
+constexpr double kFaceUp = 0.9;            // of a robot that lies on its back
+constexpr std::array kOtherSides = {Lying::on_front, Lying::on_left, Lying::on_right};
 constexpr double kHolds = 2;      // [s] the last pose
 constexpr double kStands = 0.95;  // cosine of the tilt
 constexpr double kDegree = std::numbers::pi / 180;
@@ -72,11 +74,15 @@ class Judge {
       const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
       const DrawnRobot robot = draw_robot(seed, i % 2 == 0 ? Servos::stiff : Servos::soft);
       Physics& physics = *physics_[robot.about_origin];
-      const Drop drop = draw_drop(side_, seed);
-      physics.drop(robot, seed, legs_of(drop.limbs), arms_of(drop.limbs), drop.roll, drop.pitch);
-      physics.command(legs_of(drop.limbs), 0, arms_of(drop.limbs));
-      for (double time = 0; time < kSettles; time += kCycle) cycle(physics);
-      sum += play(physics, motion);
+      // from the back it also gets up after it has rolled over
+      const Lying side = side_ == Lying::on_back && i / 2 % 2 == 1 ? kOtherSides[i / 4 % 3] : side_;
+      lay(physics, robot, seed, side);
+      if (side != side_) {
+        play(physics, get_up(side), [](const Truth&) {});
+        soften(physics, kLies);
+        if (physics.truth().face_up < kFaceUp) continue;  // another search is to mend that
+      }
+      sum += side_ == Lying::on_back ? cost_of_standing(physics, motion) : cost_of_rolling(physics, motion);
     }
     return sum / robots;
   }
@@ -93,32 +99,58 @@ class Judge {
     return positions;
   }
 
-  double play(Physics& physics, const Motion& motion) const {
+  /// Drops the robot, which tucks in and softens as under the guardian.
+  static void lay(Physics& physics, const DrawnRobot& robot, std::uint64_t seed, Lying side) {
+    const Drop drop = draw_drop(side, seed);
+    physics.drop(robot, seed, legs_of(drop.limbs), arms_of(drop.limbs), drop.roll, drop.pitch);
+    const KeyFrame& tucked = tuck()[0];
+    physics.command(legs_of(tucked.position), tucked.stiffness, arms_of(tucked.position));
+    for (double time = 0; time < kTucks; time += kCycle) cycle(physics);
+    soften(physics, kLies);
+  }
+
+  static void soften(Physics& physics, double seconds) {
+    physics.command({}, 0, {});
+    for (double time = 0; time < seconds; time += kCycle) cycle(physics);
+  }
+
+  /// Plays a motion, then holds its last pose for 2 s. Calls see(truth) after each cycle.
+  template <class See>
+  static void play(Physics& physics, KeyFrames motion, See&& see) {
     Limiter limiter;
     limiter.soften(measured(physics, physics.sense()));
     Player player;
     player.play(motion, limiter.pose().position);
-    double held = 0, least = 1, seconds = 0, on_feet = 0, best = 0;
-    for (; held < kHolds; held += player.finished() ? kCycle : 0, seconds += kCycle) {
-      const walk::Sensors sensors = physics.sense();
-      const Pose& pose = limiter.next(player.next(kCycle), measured(physics, sensors), kCycle, 1);
+    for (double held = 0; held < kHolds; held += player.finished() ? kCycle : 0) {
+      const Pose& pose = limiter.next(player.next(kCycle), measured(physics, physics.sense()), kCycle, 1);
       physics.command(legs_of(pose.position), pose.stiffness[l_knee_pitch], arms_of(pose.position));
       cycle(physics);
-      const Truth truth = physics.truth();
-      if (!(truth.height < 10)) return kWorst;
+      see(physics.truth());
+    }
+  }
+
+  /// 0 for a robot that lies on its back, 2 for one on its front.
+  static double cost_of_rolling(Physics& physics, const Motion& motion) {
+    play(physics, motion, [](const Truth&) {});
+    return 1 - physics.truth().face_up;
+  }
+
+  /// 0 for a robot that stands upright in the last second; more for one that has not come far.
+  static double cost_of_standing(Physics& physics, const Motion& motion) {
+    double on_feet = 0, best = 0, time = 0, least = 1, duration = 0;
+    for (const KeyFrame& frame : motion) duration += frame.seconds;
+    play(physics, motion, [&](const Truth& truth) {
+      time += kCycle;
       // a robot with its weight on its feet has come far
+      const walk::Sensors sensors = physics.sense();
       const double load = std::min(1.0, (sensors.load_of(left) + sensors.load_of(right)) / kWeight);
       const double now = load * (0.4 + 0.6 * std::max(0.0, truth.upright)) * truth.height / kHeight;
       on_feet += kSmoothed * (now - on_feet), best = std::max(best, on_feet);
-      if (held > kHolds / 2) least = std::min(least, truth.upright);
-      if (side_ == Lying::on_back && player.finished() && truth.upright < 0.3) return 3 + 3 * (1 - best);
-    }
-    const Truth truth = physics.truth();
-    if (side_ != Lying::on_back) return 1 - truth.face_up;
-    return (least < kStands ? 1 : 0) + 1 - least + 0.02 * seconds;
+      if (time > duration + kHolds / 2) least = std::min(least, truth.upright);
+    });
+    if (!(least > 0.3)) return 3 + 3 * (1 - best);
+    return (least < kStands ? 1 : 0) + 1 - least + 0.02 * duration;
   }
-
-  static constexpr double kWorst = 6;
 
   Lying side_;
   std::array<std::unique_ptr<Physics>, 2> physics_;  // by the reading of the inertias

@@ -16,9 +16,9 @@ Lying lying(const std::array<float, 2>& angles);
 /// Returns the motion of a robot that lies there. From the back it ends in the stand. From elsewhere it ends on the back:
 /// such a robot rolls over first.
 ///
-/// The ways follow those of other teams: sit up with the arms behind the body, pull one foot under it and push with the
-/// other leg (HULKs, etc/motions/stand_up_back.json and stand_up_front.json). The angles were searched on simulated
-/// robots (tests/walk/tune_get_up.cpp). No real robot has played them yet.
+/// The way up is that of HULKs (github.com/HULKs/hulk, etc/motions/stand_up_back.json): sit up with the arms behind the body,
+/// pull one foot under it, push with the other leg. From the seat on, the search began at their angles. Rolling over and
+/// sitting up are our own. All were searched on simulated robots (tests/walk/tune_get_up.cpp). No real robot has played them.
 KeyFrames get_up(Lying lying);
 
 }  // namespace robot::nao

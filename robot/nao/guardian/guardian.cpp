@@ -159,7 +159,7 @@ void Guardian::heed_falls(std::uint64_t now_ns) {
   }
   if (doing_ == Doing::standing && watch_.upright_lasts()) attempts_ = 0;
   if (doing_ == Doing::falling) {
-    if (now_ns - falls_since_ns_ >= kTuckFor_ns) doing_ = Doing::fallen;
+    if (now_ns - falls_since_ns_ >= kTuckFor_ns) lie();
     return;
   }
   if (soft() || !watch_.falls()) return;
@@ -183,7 +183,7 @@ void Guardian::start_getting_up() {
 /// Ends the motion. A robot that has rolled over gets up next.
 void Guardian::end_getting_up() {
   if (rolls_over_ && lying(sensors_.angles) == Lying::on_back) {
-    doing_ = Doing::fallen;
+    lie();
   } else if (rolls_over_ || !watch_.upright()) {
     end_attempt();
   } else {
@@ -193,8 +193,13 @@ void Guardian::end_getting_up() {
 
 /// Ends an attempt to get up that went wrong. The robot lies down softly.
 void Guardian::end_attempt() {
-  doing_ = Doing::fallen;
+  lie();
   ++attempts_;
+}
+
+void Guardian::lie() {
+  doing_ = Doing::fallen;
+  lies_since_ns_ = last_ns_;
 }
 
 /// Returns the action that the rules ask for, and sets the reason if it differs from the order.
@@ -212,7 +217,8 @@ Guardian::Wish Guardian::wish_on_ground(Wish wish) {
   if (doing_ == Doing::getting_up) return wish == Wish::get_up ? wish : Wish::soft;
   const bool tired = attempts_ >= kAttempts;
   reason_ = tired ? Reason::stays_down : Reason::fell;
-  return wish == Wish::get_up && !tired && watch_.still() ? wish : Wish::soft;
+  const bool ready = watch_.still() && last_ns_ - lies_since_ns_ >= kLiesFor_ns;
+  return wish == Wish::get_up && !tired && ready ? wish : Wish::soft;
 }
 
 /// Returns the action that the rules ask for, without those about falls.
@@ -246,8 +252,8 @@ Guardian::Wish Guardian::wish_upright(const Cycle& cycle) {
 
 void Guardian::follow(Wish wish) {
   if (on_ground()) {
-    if (wish != Wish::get_up) doing_ = Doing::fallen;
     if (wish == Wish::get_up && doing_ == Doing::fallen) start_getting_up();
+    if (wish != Wish::get_up && doing_ == Doing::getting_up) lie();
     return;
   }
   if (wish == Wish::soft) {

@@ -51,6 +51,7 @@ class Guardian {
   static constexpr std::uint64_t kTuckFor_ns = 1'000'000'000;  // from the beginning of a fall
   static constexpr std::uint64_t kCrashWindow_ns = 60'000'000'000;
   static constexpr std::size_t kCrashes = 3;
+  static constexpr std::uint64_t kLiesFor_ns = 500'000'000;              // before an attempt to get up
   static constexpr int kAttempts = 3;                                    // to get up after a fall
   static constexpr std::array<float, kAttempts> kLonger{1, 1.2f, 1.4f};  // durations of the attempts
   static constexpr float kLongestStep = 0.012f;  // [s] longest motion of the joints in one cycle, also when it is late
@@ -92,6 +93,7 @@ class Guardian {
   void start_getting_up();
   void end_getting_up();
   void end_attempt();
+  void lie();
   Wish wish(const Cycle& cycle);
   Wish wish_on_ground(Wish wish);
   Wish wish_upright(const Cycle& cycle);
@@ -129,7 +131,7 @@ class Guardian {
   bool rolls_over_ = false;   // the motion that gets it up ends on the back
   int attempts_ = 0;          // to get up that failed since it was last upright
 
-  std::uint64_t last_ns_ = 0, last_order_ns_ = 0, last_sensors_ns_ = 0, falls_since_ns_ = 0;
+  std::uint64_t last_ns_ = 0, last_order_ns_ = 0, last_sensors_ns_ = 0, falls_since_ns_ = 0, lies_since_ns_ = 0;
   std::array<std::uint64_t, kCrashes> crash_ns_{};  // the last crashes, the newest first; 0: none
   std::optional<GameWord> game_;                    // the last word of this runtime
   std::array<float, 2> fell_{};
