@@ -65,7 +65,7 @@ struct Origin {
 /// Returns the table as JSON, with the counts: one entry a line. `counts` by Servos.
 std::string fall_table(const Origin& origin, const std::array<FallCounts, 2>& counts);
 
-/// Returns a hash of the parameters of our walk, without those of kicks: another one means another walk.
+/// Returns a hash of the parameters of our walk: another one means another walk.
 std::string hash_of(const Parameters& parameters);
 
 }  // namespace robot::nao::walk

@@ -64,7 +64,7 @@ constexpr Knob kStepKnobs[] = {
 };
 constexpr Knob kKickKnobs[] = {
     {"kick_period", 0.25, 0.5}, {"kick_ahead", 0.06, 0.2}, {"kick_from", 0.05, 0.5},
-    {"kick_contact", 0.3, 0.8}, {"kick_over", 0.6, 1.2},   {"kick_lift", 0, 0.04},
+    {"kick_contact", 0.3, 0.8}, {"kick_over", 0.6, 1},
 };
 static_assert(std::ranges::all_of(kStepKnobs, parameter_named, &Knob::name) &&
               std::ranges::all_of(kKickKnobs, parameter_named, &Knob::name));

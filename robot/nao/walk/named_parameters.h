@@ -65,7 +65,6 @@ inline constexpr NamedParameter kNamedParameters[] = {
     {"heading_rate", &Parameters::heading_rate},
     {"heading_most", &Parameters::heading_most},
     {"kick_period", &Parameters::kick_period},
-    {"kick_lift", &Parameters::kick_lift},
     {"kick_ahead", &Parameters::kick_ahead},
     {"kick_side", &Parameters::kick_side},
     {"kick_turn", &Parameters::kick_turn},

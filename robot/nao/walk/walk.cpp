@@ -225,7 +225,6 @@ double Walk::lift() const {
   const double height =
       p.lift + p.lift_per_stride * std::abs(stride_) + p.lift_per_side * std::abs(speed_.left * p.period) +
       p.lift_per_turn * std::abs(speed_.turn * p.period) + p.lift_per_catch * std::abs(shift_.forward);
-  if (kick_ != KickStep::none) return height + p.kick_lift;
   return count_ == 0 ? kFirstLift * height : ends_ ? kLastLift * height : height;
 }
 
