@@ -216,7 +216,7 @@ export async function walk({ choices: robots = kRobots }) {
   await shoves(report, robots);
   await games(report);
   await kicks(report, robots);
-  await gettingUp(report, robots * 0.4);
+  await gettingUp(report, robots / 3);
   const cost = await start("bench_walk", ["cost"]).report;
   report.figure("cost of a tick on this machine", cost.microseconds_a_tick, "us");
   const counted = startCounted("bench_walk", ["cost"], "release", "robot::nao::walk::Walk::tick*");
