@@ -159,8 +159,8 @@ double Physics::torque(double error, double speed, double stiffness, double shar
   error -= std::clamp(error, -half, half);
   const double wanted = stiffness * share * robot_.gain * error;
   const double left_over = std::clamp(1 - std::copysign(1.0, wanted) * speed / fastest, 0.0, 1.0);
-  most *= robot_.torque * left_over;
-  return std::clamp(wanted, -most, most);
+  const double limit = most * robot_.torque * left_over;
+  return std::clamp(wanted, -limit, limit);
 }
 
 void Physics::step(double force_x, double force_y) {
