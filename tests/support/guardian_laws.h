@@ -17,7 +17,8 @@ namespace tests {
 /// - Stiffness is within 0 .. 1 and never grows faster than its ramp.
 /// - There is no stiffness before the first press of the chest button.
 /// - There is none from the third frame with the head held, or from sit_and_soft on, until the chest button is pressed.
-/// - There is none after 1.5 s of lying without an order to get up, or after 7 s of heat, an empty battery, no orders or no readable frame.
+/// - There is none after 1.5 s of lying without an order to get up, or after 7 s of heat, an empty battery, no orders or no
+///   readable frame.
 class GuardianLaws {
  public:
   /// Applies the event that `byte` chooses, with details from `details`, and runs one cycle. Returns the first broken law, or

@@ -6,8 +6,8 @@
 
 #include "robot/nao/lola/actuators.h"
 #include "robot/nao/lola/sensors.h"
+#include "tests/walk/drop.h"
 #include "tests/walk/physics.h"
-#include "tests/walk/rise.h"
 
 namespace robot::nao {
 

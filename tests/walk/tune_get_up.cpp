@@ -9,14 +9,14 @@
 #include <memory>
 #include <numbers>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include "robot/nao/guardian/limiter.h"
 #include "robot/nao/motion/leg_joints.h"
-#include "sim/learn/cma.h"
 #include "tests/walk/arm_joints.h"
-#include "tests/walk/rise.h"
+#include "tests/walk/drop.h"
+#include "tests/walk/physics.h"
+#include "tests/walk/search.h"
 
 namespace {
 
@@ -36,12 +36,7 @@ constexpr double kWeight = 5;       // [kg] on the feet
 constexpr double kLonger = 0.03;    // change of the logarithm of a duration, when an angle changes by a degree
 constexpr double kSmoothed = 0.05;  // share of a cycle in the smoothed progress
 
-// the joints that are searched, in the order of a row
-constexpr Joint kSearched[] = {l_shoulder_pitch, l_shoulder_roll, l_elbow_yaw,   l_elbow_roll,    r_shoulder_pitch,
-                               r_shoulder_roll,  r_elbow_yaw,     r_elbow_roll,  l_hip_yaw_pitch, l_hip_roll,
-                               l_hip_pitch,      l_knee_pitch,    l_ankle_pitch, l_ankle_roll,    r_hip_roll,
-                               r_hip_pitch,      r_knee_pitch,    r_ankle_pitch, r_ankle_roll};
-constexpr std::size_t kRow = std::size(kSearched) + 1;  // and the duration
+constexpr std::size_t kRow = kGetUpJoints.size() + 1;  // and the duration
 
 using Motion = std::vector<KeyFrame>;
 
@@ -51,8 +46,8 @@ Motion changed(KeyFrames motion, std::size_t searched, const sim::learn::Vector&
   for (std::size_t frame = 0; frame < searched; ++frame) {
     const double* const change = &point[frame * kRow];
     for (std::size_t i = 0; i + 1 < kRow; ++i) {
-      float& angle = all[frame].position[kSearched[i]];
-      angle = clamp(angle + static_cast<float>(kDegree * change[i]), limits_of(kSearched[i]).range);
+      float& angle = all[frame].position[kGetUpJoints[i]];
+      angle = clamp(angle + static_cast<float>(kDegree * change[i]), limits_of(kGetUpJoints[i]).range);
     }
     all[frame].seconds *= static_cast<float>(std::exp(kLonger * change[kRow - 1]));
   }
@@ -159,12 +154,13 @@ class Judge {
 /// Prints the frames as rows of get_up.cpp.
 void print(const Motion& motion, std::size_t searched) {
   for (std::size_t frame = 0; frame < searched; ++frame) {
-    std::printf("  {");
-    for (const Joint joint : kSearched)
-      std::printf("%.0f, ", static_cast<double>(motion[frame].position[joint]) / kDegree);
-    std::printf("%.2f},\n", static_cast<double>(motion[frame].seconds));
+    const char* before = "    {{";
+    for (const Joint joint : kGetUpJoints) {
+      std::printf("%s%4.0f", before, static_cast<double>(motion[frame].position[joint]) / kDegree);
+      before = ",";
+    }
+    std::printf("}, %.2ff},\n", static_cast<double>(motion[frame].seconds));
   }
-  std::fflush(stdout);
 }
 
 }  // namespace
@@ -186,24 +182,17 @@ int main(int count, char** words) {
   const KeyFrames motion = get_up(side);
   const std::size_t searched = side == Lying::on_back ? motion.size() - 1 : motion.size();
   const std::uint64_t first_seed = std::strtoull(words[2], nullptr, 10);
-  sim::learn::Cma search(sim::learn::Vector(searched * kRow, 0.0), step, 20, first_seed);
-  std::array<Judge, 2> judges{Judge(side), Judge(side)};  // one for each thread
-  for (int generation = 0; generation < generations; ++generation) {
-    const auto points = search.ask();
-    std::vector<double> costs(points.size());
-    const auto judge = [&](std::size_t thread) {
-      for (std::size_t i = thread; i < points.size(); i += judges.size())
-        costs[i] = judges[thread].cost(changed(motion, searched, points[i]),
-                                       first_seed + static_cast<std::uint64_t>(generation) * 1000, robots);
-    };
-    std::thread second([&] { judge(1); });
-    judge(0);
-    second.join();
-    search.tell(costs);
-    std::printf("// generation %d: best %.3f, worst %.3f, deviation %.2f\n", generation,
-                *std::min_element(costs.begin(), costs.end()), *std::max_element(costs.begin(), costs.end()),
-                search.deviation());
-    print(changed(motion, searched, search.mean()), searched);
-  }
+  std::array<Judge, 2> judges{Judge(side), Judge(side)};
+  const Search search{.dimensions = searched * kRow,
+                      .step = step,
+                      .population = 20,
+                      .first_seed = first_seed,
+                      .generations = generations};
+  run(
+      search, judges,
+      [&](Judge& judge, const sim::learn::Vector& point, std::uint64_t seed) {
+        return judge.cost(changed(motion, searched, point), seed, robots);
+      },
+      [&](const sim::learn::Vector& mean) { print(changed(motion, searched, mean), searched); });
   return 0;
 }

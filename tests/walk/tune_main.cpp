@@ -9,13 +9,12 @@
 #include <numbers>
 #include <span>
 #include <string_view>
-#include <thread>
 
 #include "robot/nao/walk/named_parameters.h"
-#include "sim/learn/cma.h"
 #include "tests/walk/dice.h"
 #include "tests/walk/our_gait.h"
 #include "tests/walk/plans.h"
+#include "tests/walk/search.h"
 
 namespace {
 
@@ -175,27 +174,19 @@ int main(int count, char** words) {
   const std::span<const Knob> knobs = what == "steps" ? std::span<const Knob>(kStepKnobs) : kKickKnobs;
   const auto cost = what == "steps" ? &Judge::cost_of_steps : &Judge::cost_of_kicks;
   const std::uint64_t first_seed = std::strtoull(words[2], nullptr, 10);
-  sim::learn::Cma search(sim::learn::Vector(knobs.size(), 0.0), 0.7, 16, first_seed);
-  std::array<Judge, 2> judges;  // one for each thread
-  for (int generation = 0; generation < generations; ++generation) {
-    const auto points = search.ask();
-    std::vector<double> costs(points.size());
-    const auto judge = [&](std::size_t thread) {
-      for (std::size_t i = thread; i < points.size(); i += judges.size())
-        costs[i] = (judges[thread].*cost)(at(knobs, points[i]),
-                                          first_seed + static_cast<std::uint64_t>(generation) * 1000, robots);
-    };
-    std::thread second([&] { judge(1); });
-    judge(0);
-    second.join();
-    search.tell(costs);
-    const Parameters mean = at(knobs, search.mean());
-    std::printf("// generation %d: best %.3f, worst %.3f, deviation %.3f\n", generation,
-                *std::min_element(costs.begin(), costs.end()), *std::max_element(costs.begin(), costs.end()),
-                search.deviation());
-    for (const Knob& knob : knobs) std::printf("%s=%.4g ", knob.name.data(), mean.*parameter_named(knob.name));
-    std::puts("");
-    std::fflush(stdout);
-  }
+  std::array<Judge, 2> judges;
+  const Search search{
+      .dimensions = knobs.size(), .step = 0.7, .population = 16, .first_seed = first_seed, .generations = generations};
+  run(
+      search, judges,
+      [&](Judge& judge, const sim::learn::Vector& point, std::uint64_t seed) {
+        return (judge.*cost)(at(knobs, point), seed, robots);
+      },
+      [&](const sim::learn::Vector& mean) {
+        const Parameters parameters = at(knobs, mean);
+        for (const Knob& knob : knobs)
+          std::printf("%s=%.4g ", knob.name.data(), parameters.*parameter_named(knob.name));
+        std::puts("");
+      });
   return 0;
 }

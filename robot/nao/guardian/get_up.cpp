@@ -8,22 +8,14 @@ namespace robot::nao {
 namespace {
 
 constexpr float kDegree = std::numbers::pi_v<float> / 180;
-constexpr std::size_t kAngles = 19;
 
-/// The angles of a key frame [degrees], in the order of kOrder, and its duration [s].
+/// The angles of a key frame [degrees], in the order of kGetUpJoints, and its duration [s].
 struct Row {
-  float angles[kAngles];
+  std::array<float, kGetUpJoints.size()> angles;
   float seconds;
 };
 
 // clang-format off
-constexpr Joint kOrder[kAngles] = {
-    l_shoulder_pitch, l_shoulder_roll, l_elbow_yaw, l_elbow_roll,
-    r_shoulder_pitch, r_shoulder_roll, r_elbow_yaw, r_elbow_roll,
-    l_hip_yaw_pitch,
-    l_hip_roll, l_hip_pitch, l_knee_pitch, l_ankle_pitch, l_ankle_roll,
-    r_hip_roll, r_hip_pitch, r_knee_pitch, r_ankle_pitch, r_ankle_roll};
-
 constexpr Row kFromBack[] = {
     // raises the legs
     {{  -5, -17, 100, -87,    2,  14, -95,  88,  -34,   21, -68,  -4,  39,  40,  -18, -68,   0,  37, -38}, 0.97f},
@@ -75,8 +67,10 @@ constexpr Range kOffGround{-0.9f, 1.2f};  // [rad] pitch of a torso that does no
 
 KeyFrame frame_of(const Row& row, Range pitch) {
   KeyFrame frame{.position = {}, .stiffness = 1, .seconds = row.seconds, .needs_feet = false, .pitch = pitch};
-  for (std::size_t i = 0; i < kAngles; ++i)
-    frame.position[kOrder[i]] = clamp(row.angles[i] * kDegree, limits_of(kOrder[i]).range);
+  for (std::size_t i = 0; i < kGetUpJoints.size(); ++i) {
+    const Joint joint = kGetUpJoints[i];
+    frame.position[joint] = clamp(row.angles[i] * kDegree, limits_of(joint).range);
+  }
   return frame;
 }
 

@@ -13,27 +13,39 @@ struct Halves {
   float hip_yaw_pitch = 0, hip_roll = 0, hip_pitch, knee_pitch, ankle_pitch, ankle_roll = 0;  // [rad] of the left leg
 };
 
+/// A joint of the left side and its twin.
+struct Pair {
+  Joint left, right;
+  float sign;  // of the right angle of the same pose
+};
+constexpr Pair kPairs[] = {{l_shoulder_pitch, r_shoulder_pitch, 1},
+                           {l_shoulder_roll, r_shoulder_roll, -1},
+                           {l_elbow_yaw, r_elbow_yaw, -1},
+                           {l_elbow_roll, r_elbow_roll, -1},
+                           {l_wrist_yaw, r_wrist_yaw, -1},
+                           {l_hip_roll, r_hip_roll, -1},
+                           {l_hip_pitch, r_hip_pitch, 1},
+                           {l_knee_pitch, r_knee_pitch, 1},
+                           {l_ankle_pitch, r_ankle_pitch, 1},
+                           {l_ankle_roll, r_ankle_roll, -1},
+                           {l_hand, r_hand, 1}};
+
 constexpr PerJoint<float> both(const Halves& half) {
   PerJoint<float> pose{};
   pose[head_yaw] = half.head_yaw;
   pose[head_pitch] = half.head_pitch;
-  pose[l_shoulder_pitch] = pose[r_shoulder_pitch] = half.shoulder_pitch;
+  pose[l_shoulder_pitch] = half.shoulder_pitch;
   pose[l_shoulder_roll] = half.shoulder_roll;
-  pose[r_shoulder_roll] = -half.shoulder_roll;
   pose[l_elbow_yaw] = half.elbow_yaw;
-  pose[r_elbow_yaw] = -half.elbow_yaw;
   pose[l_elbow_roll] = half.elbow_roll;
-  pose[r_elbow_roll] = -half.elbow_roll;
   pose[l_wrist_yaw] = half.wrist_yaw;
-  pose[r_wrist_yaw] = -half.wrist_yaw;
   pose[l_hip_yaw_pitch] = half.hip_yaw_pitch;
   pose[l_hip_roll] = half.hip_roll;
-  pose[r_hip_roll] = -half.hip_roll;
-  pose[l_hip_pitch] = pose[r_hip_pitch] = half.hip_pitch;
-  pose[l_knee_pitch] = pose[r_knee_pitch] = half.knee_pitch;
-  pose[l_ankle_pitch] = pose[r_ankle_pitch] = half.ankle_pitch;
+  pose[l_hip_pitch] = half.hip_pitch;
+  pose[l_knee_pitch] = half.knee_pitch;
+  pose[l_ankle_pitch] = half.ankle_pitch;
   pose[l_ankle_roll] = half.ankle_roll;
-  pose[r_ankle_roll] = -half.ankle_roll;
+  for (const auto& [left, right, sign] : kPairs) pose[right] = sign * pose[left];
   return pose;
 }
 
@@ -84,21 +96,6 @@ KeyFrames tuck() { return kTuckIn; }
 const KeyFrame& stand_pose() { return kToStand[0]; }
 
 PerJoint<float> mirrored(const PerJoint<float>& positions) {
-  struct Pair {
-    Joint left, right;
-    float sign;  // of the right angle of the same pose
-  };
-  constexpr Pair kPairs[] = {{l_shoulder_pitch, r_shoulder_pitch, 1},
-                             {l_shoulder_roll, r_shoulder_roll, -1},
-                             {l_elbow_yaw, r_elbow_yaw, -1},
-                             {l_elbow_roll, r_elbow_roll, -1},
-                             {l_wrist_yaw, r_wrist_yaw, -1},
-                             {l_hip_roll, r_hip_roll, -1},
-                             {l_hip_pitch, r_hip_pitch, 1},
-                             {l_knee_pitch, r_knee_pitch, 1},
-                             {l_ankle_pitch, r_ankle_pitch, 1},
-                             {l_ankle_roll, r_ankle_roll, -1},
-                             {l_hand, r_hand, 1}};
   PerJoint<float> other = positions;
   for (const auto& [left, right, sign] : kPairs) {
     other[left] = sign * positions[right];
