@@ -468,7 +468,7 @@ export const proofs = [
     question:
       "A robot that was dropped on its back, front, left and right side, 50 of each, half with soft servos: gets up at the first attempt; within three",
     bar: ">= 90 %; >= 98 %",
-    seen: "92, **80**, **86** and **88** % (stiff 97, soft 76); 98, 100, 100 and **96** %",
+    seen: "92, **80**, **86** and **88** % (stiff 97, soft 76); 100 % from each",
     by: "walk",
   },
 ];

@@ -111,6 +111,25 @@ TEST_P(BodyInPhysics, GetsUpAfterAFallAndWalksOn) {
   }
 }
 
+TEST_P(BodyInPhysics, StandsInTheEndAlthoughTheRuntimeHungWhileItGotUp) {
+  for (const double when : {2.0, 4.5, 5.5, 6.5, 7.5}) {
+    SCOPED_TRACE(when);
+    RobotInPhysics faller(GetParam(), 1, false, true);
+    faller.command.set_posture(pb::MotionCommand::POSTURE_STAND);
+    faller.body.drop(draw_drop(Lying::on_back, 1));
+    for (int i = 0; i < 500 && faller.guardian.doing() != Doing::getting_up; ++i) faller.cycle();
+    ASSERT_EQ(faller.guardian.doing(), Doing::getting_up);
+    faller.run(when);
+    faller.runtime_lives = false;
+    faller.run(0.15);
+    EXPECT_NE(faller.guardian.doing(), Doing::getting_up);
+    faller.runtime_lives = true;
+    for (int i = 0; i < 4000 && !(faller.body.upright() && faller.status().standing()); ++i) faller.cycle();
+    EXPECT_TRUE(faller.body.upright());
+    EXPECT_EQ(faller.guardian.doing(), Doing::standing);
+  }
+}
+
 TEST_P(BodyInPhysics, LiesUntilAnotherCommandIfItIsToldToRelax) {
   RobotInPhysics faller(GetParam(), 1, false, true);
   faller.body.push(8, 0);

@@ -147,7 +147,8 @@ void Guardian::take_click(std::uint64_t now_ns) {
 
 void Guardian::heed_falls(std::uint64_t now_ns) {
   if (doing_ == Doing::fallen) {
-    if (!watch_.upright_lasts()) return;
+    // a robot that broke off its getting up may be upright still, but its soft joints give way
+    if (!watch_.upright_lasts() || now_ns - lies_since_ns_ < kSinksFor_ns) return;
     doing_ = Doing::soft;
     attempts_ = 0;
     return;
@@ -217,7 +218,7 @@ Guardian::Wish Guardian::wish_on_ground(Wish wish) {
   if (doing_ == Doing::getting_up) return wish == Wish::get_up ? wish : Wish::soft;
   const bool tired = attempts_ >= kAttempts;
   reason_ = tired ? Reason::stays_down : Reason::fell;
-  const bool ready = watch_.still() && last_ns_ - lies_since_ns_ >= kLiesFor_ns;
+  const bool ready = !watch_.upright() && watch_.still() && last_ns_ - lies_since_ns_ >= kLiesFor_ns;
   return wish == Wish::get_up && !tired && ready ? wish : Wish::soft;
 }
 

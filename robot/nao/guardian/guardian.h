@@ -51,6 +51,7 @@ class Guardian {
   static constexpr std::uint64_t kTuckFor_ns = 1'000'000'000;  // from the beginning of a fall
   static constexpr std::uint64_t kCrashWindow_ns = 60'000'000'000;
   static constexpr std::size_t kCrashes = 3;
+  static constexpr std::uint64_t kSinksFor_ns = 1'000'000'000;           // from its last stiffness until it rests
   static constexpr std::uint64_t kLiesFor_ns = 500'000'000;              // before an attempt to get up
   static constexpr int kAttempts = 3;                                    // to get up after a fall
   static constexpr std::array<float, kAttempts> kLonger{1, 1.2f, 1.4f};  // durations of the attempts

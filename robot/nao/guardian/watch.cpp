@@ -17,6 +17,11 @@ void Watch::Lasting::see(bool now, std::uint64_t now_ns, std::uint64_t lasts_ns)
   if (now != value && now_ns - since_ns >= lasts_ns) value = now;
 }
 
+void Watch::Lasting::see_or_end(bool now, std::uint64_t now_ns, std::uint64_t lasts_ns) {
+  if (!now) value = false;
+  see(now, now_ns, lasts_ns);
+}
+
 void Watch::see(const Sensors& sensors, std::uint64_t now_ns) {
   const auto worst = [](auto value_of) { return std::max(value_of(0), value_of(1)); };
   const float lean = worst([&](std::size_t i) { return std::abs(sensors.angles[i]); });
@@ -24,11 +29,10 @@ void Watch::see(const Sensors& sensors, std::uint64_t now_ns) {
       worst([&](std::size_t i) { return std::abs(sensors.angles[i] + bounds_.ahead * sensors.gyroscope[i]); });
   upright_ = lean < bounds_.upright;
   falls_ = lean > bounds_.falls || (lean > bounds_.falls_soon / 2 && lean_soon > bounds_.falls_soon);
-  upright_lasts_.see(upright_, now_ns, kUprightLasts_ns);
+  upright_lasts_.see_or_end(upright_, now_ns, kUprightLasts_ns);
   const float turns =
       std::max({std::abs(sensors.gyroscope[0]), std::abs(sensors.gyroscope[1]), std::abs(sensors.gyroscope[2])});
-  still_.see(turns < bounds_.still, now_ns, bounds_.lasts_ns);
-  if (turns >= bounds_.still) still_ = {.value = false, .since_ns = now_ns};  // at once
+  still_.see_or_end(turns < bounds_.still, now_ns, bounds_.lasts_ns);
 
   on_feet_ = std::accumulate(sensors.fsr.begin(), sensors.fsr.end(), 0.0f) >= bounds_.on_feet;
 

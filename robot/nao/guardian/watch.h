@@ -45,6 +45,8 @@ class Watch {
     bool value = false;
     std::uint64_t since_ns = 0;
     void see(bool now, std::uint64_t now_ns, std::uint64_t lasts_ns);
+    /// Likewise, but the state ends at once.
+    void see_or_end(bool now, std::uint64_t now_ns, std::uint64_t lasts_ns);
   };
 
   WatchBounds bounds_;

@@ -550,6 +550,32 @@ TEST_F(NaoGuardianOnGround, IsSoftAtOnceWhenAnythingElseApplies) {
   }
 }
 
+TEST_F(NaoGuardianOnGround, GetsUpAgainIfItTopplesAfterItBrokeOff) {
+  until_it_gets_up();
+  run(2);
+  body.put_upright();
+  run(2);
+  alive = false;
+  run(0.15);
+  alive = true;
+  run(0.5);
+  EXPECT_EQ(guardian.doing(), Doing::fallen) << "upright, but its joints give way";
+  body.lie_on_back();
+  until_it_gets_up();
+}
+
+TEST_F(NaoGuardianOnGround, StandsUpIfItIsUprightAfterItBrokeOff) {
+  until_it_gets_up();
+  run(2);
+  body.put_upright();
+  run(2);
+  alive = false;
+  run(0.15);
+  alive = true;
+  until(Doing::standing_up);
+  until(Doing::standing);
+}
+
 TEST_F(NaoGuardianOnGround, GivesUpAfterThreeAttempts) {
   int attempts = 0;
   for (int i = 0; i < 10'000 && guardian.reason() != Reason::stays_down; ++i) {
