@@ -509,7 +509,7 @@ class Adviser:
 
 
 _Parameter = collections.namedtuple("_Parameter", "type initial fields")
-_NUMBER, _WHOLE, _YES_NO, _TEXT, _CHOICE = range(1, 6)  # foresight.LiveParameter.Type
+_NUMBER, _WHOLE, _YES_NO, _TEXT, _CHOICE, _BUTTON = range(1, 7)  # foresight.LiveParameter.Type
 
 
 class Parameters:
@@ -537,6 +537,7 @@ class Parameters:
         self._heard = Reader("live_parameters", door=door)
         self._all = {}
         self._values = {}
+        self._presses = {}  # of each button, as the runtime counts them; it may know those of a former process
         self._announced = self._known = False
         self._announce_at_ns = 0
         self._refusal = ""
@@ -560,6 +561,10 @@ class Parameters:
     def choice(self, name, value, choices, text=""):
         """Adds a text that is one of `choices`."""
         self._add(_CHOICE, name, value, None, "", text, choices)
+
+    def button(self, name, text=""):
+        """Adds a button. Its value is how often it was pressed since it was added, and poll() names it after each press."""
+        self._add(_BUTTON, name, 0, None, "", text)
 
     def __getitem__(self, name):
         return self._values[name]
@@ -610,7 +615,8 @@ class Parameters:
         return bytes_field(text, value) if isinstance(value, str) else double_field(number, value)
 
     def _encoded(self, name):
-        return bytes_field(1, self._all[name].fields + self._value(3, 4, self._values[name]))
+        value = self._presses.get(name, 0) if self._all[name].type == _BUTTON else self._values[name]
+        return bytes_field(1, self._all[name].fields + self._value(3, 4, value))
 
     def _hear(self, message):
         """Takes the runtime's message, and returns the names of the parameters that changed."""
@@ -636,17 +642,25 @@ class Parameters:
         ours = self._all.get(name)
         if not ours:
             return []
-        as_value = {_NUMBER: as_double, _WHOLE: lambda raw: int(as_double(raw)), _YES_NO: lambda raw: as_double(raw) == 1}
-        read = as_value.get(ours.type, bytes.decode)
+        read = _READ.get(ours.type, bytes.decode)
         is_text = ours.type in (_TEXT, _CHOICE)
         # another initial value: this is the answer to a former process's announcement
         if heard[2] != ours.type or read(heard[6 if is_text else 5]) != ours.initial:
             return []
         value = read(heard[4 if is_text else 3])
+        if ours.type == _BUTTON:
+            before, self._presses[name] = self._presses.get(name, value), value
+            value = self._values[name] + max(value - before, 0)
         if value == self._values[name]:
             return []
         self._values[name] = value
         return [name]
 
 
+_READ = {
+    _NUMBER: as_double,
+    _WHOLE: lambda raw: int(as_double(raw)),
+    _YES_NO: lambda raw: as_double(raw) == 1,
+    _BUTTON: lambda raw: int(as_double(raw)),
+}
 _ABSENT = {1: b"", 2: 0, 3: bytes(8), 4: b"", 5: bytes(8), 6: b"", 12: 0}  # values of absent fields

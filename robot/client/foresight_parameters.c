@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NUMBER = 1, WHOLE, YES_NO, TEXT, CHOICE };  // foresight.LiveParameter.Type
+enum { NUMBER = 1, WHOLE, YES_NO, TEXT, CHOICE, BUTTON };  // foresight.LiveParameter.Type
 enum { MAX_TEXT_BYTES = 200, MAX_ENCODED_BYTES = 4096, VALUE_BYTES = 300 };
 
 static const uint64_t kLostNs = 100 * 1000 * 1000;      // until the next attempt after a failed announcement
@@ -26,6 +26,8 @@ typedef struct {
   size_t room;            // of a text's variable [bytes]
   char (*choices)[64];    // copies
   int count;              // of the choices
+  double presses;         // of a button, as the runtime counts them; it may know those of a former process
+  int heard;              // the runtime has told `presses`
   Value initial;          // the value at the time of adding
   unsigned char* fields;  // all fields of foresight.LiveParameter but the present value, encoded
   size_t size;
@@ -115,6 +117,7 @@ static Value value_of(const Parameter* parameter) {
     case NUMBER: value.number = *(double*)parameter->variable; break;
     case WHOLE:
     case YES_NO: value.number = *(int*)parameter->variable; break;
+    case BUTTON: value.number = parameter->presses; break;
     case TEXT: copy_bytes(value.text, sizeof value.text, parameter->variable, strlen(parameter->variable)); break;
     case CHOICE: {
       const int index = *(int*)parameter->variable;
@@ -131,8 +134,16 @@ static int set_int(int* variable, double number) {
   return 1;
 }
 
+/// Adds the presses since the last message to the variable. Returns 1 if there were any.
+static int take_presses(Parameter* parameter, double presses) {
+  const double more = parameter->heard ? presses - parameter->presses : 0;
+  parameter->heard = 1;
+  parameter->presses = presses;
+  return more > 0 && set_int(parameter->variable, *(int*)parameter->variable + more);
+}
+
 /// Writes the value into the variable. Returns 1 if it changed.
-static int take(const Parameter* parameter, const Value* value) {
+static int take(Parameter* parameter, const Value* value) {
   int i;
   switch (parameter->type) {
     case NUMBER:
@@ -141,6 +152,7 @@ static int take(const Parameter* parameter, const Value* value) {
       return 1;
     case WHOLE:
     case YES_NO: return set_int(parameter->variable, value->number);
+    case BUTTON: return take_presses(parameter, value->number);
     case TEXT: {
       const Value held = value_of(parameter);
       size_t size = strlen(value->text);
@@ -257,6 +269,13 @@ void foresight_add_choice(ForesightParameters* parameters, const char* name, int
   add(parameters, name, CHOICE, value, &definition);
 }
 
+void foresight_add_button(ForesightParameters* parameters, const char* name, int* presses, const char* description) {
+  Definition definition = {0, 0, NULL, NULL, 0, NULL, 0};
+  definition.description = description;
+  *presses = 0;
+  add(parameters, name, BUTTON, presses, &definition);
+}
+
 // ----------------------------------------------------------------------------------------------------------- poll
 
 /// Writes all definitions with the present values. Returns 1 if they were sent.
@@ -324,7 +343,7 @@ static int hear_parameter(ForesightParameters* parameters, const ForesightField*
   if (!name || gone) return 0;
   parameters->known = 1;
   for (i = 0; i < parameters->count; ++i) {
-    const Parameter* ours = &parameters->all[i];
+    Parameter* ours = &parameters->all[i];
     if (strlen(ours->name) != name_size || memcmp(ours->name, name, name_size) != 0) continue;
     // another initial value: this is the answer to a former process's announcement
     if (ours->type != type || ours->initial.number != initial.number || strcmp(ours->initial.text, initial.text) != 0)

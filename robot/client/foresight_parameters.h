@@ -52,6 +52,9 @@ void foresight_add_text(ForesightParameters* parameters, const char* name, char*
 void foresight_add_choice(ForesightParameters* parameters, const char* name, int* value, const char* const* choices,
                           int count, const char* description);
 
+/// A button. `presses` counts how often it was pressed since this call.
+void foresight_add_button(ForesightParameters* parameters, const char* name, int* presses, const char* description);
+
 /// Takes the values that people set into the variables, and announces the parameters where needed. Returns the number of
 /// variables that changed.
 int foresight_poll_parameters(ForesightParameters* parameters);

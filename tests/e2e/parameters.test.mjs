@@ -25,6 +25,7 @@ walk.choice("gait", "calm", ["calm", "fast", "careful"], text="The kind of walk.
 walk.text("note", "turf of hall A", text="Shown in the team's own log.")
 kick = foresight.Parameters("kick")
 kick.number("force", 0.8, range=(0, 1), text="Part of the strongest kick.")
+kick.button("kick_now", "Kicks once, wherever the ball is.")
 game = foresight.Writer("game", "foresight.GameState")
 playing = 0
 shown = None
@@ -33,6 +34,7 @@ while True:
         one.poll()
     values = {"walk." + name: walk[name] for name in walk}
     values["kick.force"] = kick["force"]
+    values["kick.kick_now"] = kick["kick_now"]
     if values != shown:
         print(json.dumps(values), flush=True)
         shown = values
@@ -103,6 +105,14 @@ test("parameters are found, set, reset, saved and loaded", async (t) => {
   await page.getByLabel("note", { exact: true }).fill('wet "turf", Tor №2');
   await page.getByLabel("note", { exact: true }).press("Enter");
   await is(state, "walk.note", 'wet "turf", Tor №2');
+
+  const kick = page.getByRole("button", { name: "kick now", exact: true });
+  await row(page, "kick.kick_now").getByText("not pressed yet").waitFor();
+  await kick.click();
+  await is(state, "kick.kick_now", 1);
+  await kick.click();
+  await is(state, "kick.kick_now", 2);
+  await row(page, "kick.kick_now").getByText("pressed twice").waitFor();
 
   // a wrong value gets one sentence, and nothing is sent
   const warmUp = page.getByLabel("warm_up", { exact: true });

@@ -30,6 +30,7 @@ std::optional<net::ParameterValue> value_of(LiveParameter::Type type, double num
   switch (type) {
     case LiveParameter::TYPE_NUMBER: return number;
     case LiveParameter::TYPE_WHOLE:
+    case LiveParameter::TYPE_BUTTON:
       if (!(std::abs(number) <= kLargestWhole) || std::nearbyint(number) != number) return std::nullopt;
       return static_cast<std::int64_t>(number);
     case LiveParameter::TYPE_YES_NO:
@@ -60,7 +61,8 @@ Result<net::ParameterRule> rule_of(const LiveParameter& announced) {
     if (std::isfinite(min)) rule.min = min;
     if (std::isfinite(max)) rule.max = max;
   }
-  if (announced.type() == LiveParameter::TYPE_WHOLE) {
+  if (announced.type() == LiveParameter::TYPE_BUTTON) rule.min = 0;
+  if (announced.type() == LiveParameter::TYPE_WHOLE || announced.type() == LiveParameter::TYPE_BUTTON) {
     rule.min = std::max(rule.min.value_or(-kLargestWhole), -kLargestWhole);
     rule.max = std::min(rule.max.value_or(kLargestWhole), kLargestWhole);
   }
@@ -83,7 +85,7 @@ bool is_process_name(std::string_view name) { return is_word(name, "_-", kMaxPro
 Result<net::OfferedParameter> offered_parameter(const LiveParameter& announced, const std::string& process) {
   if (Result<void> words = check_words(announced); !words) return words.failure();
   if (announced.type() == LiveParameter::TYPE_UNSPECIFIED || !LiveParameter::Type_IsValid(announced.type()))
-    return wrong(announced, "a number, whole number, yes or no, text or choice, got another type");
+    return wrong(announced, "a number, whole number, yes or no, text, choice or button, got another type");
   Result<net::ParameterRule> rule = rule_of(announced);
   if (!rule) return rule.failure();
   auto initial = value_of(announced.type(), announced.initial_number(), announced.initial_text());

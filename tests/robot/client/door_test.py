@@ -306,6 +306,20 @@ class Door(unittest.TestCase):
         self.assertEqual(self.page(runtime).set(walk__height=0.02)[1], [])
         until(lambda: walk.poll() or walk["height"] == 0.02, "the value of the file again")
 
+    def test_a_button_counts_the_presses_of_its_process(self):
+        runtime = self.start()
+        for presses in range(2):  # the second process follows a first whose button was pressed
+            with foresight.Parameters("lab") as lab:
+                lab.button("push", "Pushes the robot.")
+                until(lambda: not lab.poll() and self.told(lab).get("lab.push") == (2.0 * presses, False), "the button")
+                page = self.page(runtime)
+                for more in (1, 2):
+                    self.assertEqual(page.set(lab__push=2 * presses + more)[1], [])
+                    self.assertEqual(until(lab.poll, "the press"), ["push"])
+                    self.assertEqual(lab["push"], more)
+                self.assertEqual(page.set(lab__push=-1)[1], ["parameter 'lab.push': expected 0 .. 9007199254740992, got -1"])
+            until(lambda: self.told()["lab.push"] == (2.0 * presses + 2, True), "that it has gone")
+
     def test_a_killed_process_gets_its_values_again(self):
         runtime = self.start()
         program = ("import sys, time; sys.path.insert(0, sys.argv[1]); import foresight\n"

@@ -6,8 +6,8 @@ import { listOf, numberOf, textOf, wordOf, type Fields } from "./value";
 export const kLiveParameters = "live_parameters" satisfies RobotObject;
 
 export type ParameterValue = number | boolean | string;
-export type ParameterType = "number" | "whole" | "yes_no" | "text" | "choice";
-const kTypes: readonly string[] = ["number", "whole", "yes_no", "text", "choice"] satisfies ParameterType[];
+export type ParameterType = "number" | "whole" | "yes_no" | "text" | "choice" | "button";
+const kTypes: readonly string[] = ["number", "whole", "yes_no", "text", "choice", "button"] satisfies ParameterType[];
 
 export interface LiveParameter {
   /** "walk.step_height" */

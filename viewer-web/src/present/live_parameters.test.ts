@@ -5,6 +5,7 @@ import {
   isChanged,
   isFound,
   numberWord,
+  pressesWords,
   rangeWords,
   refusalOf,
   stepOf,
@@ -36,6 +37,7 @@ const gait = parameter({
 });
 const arms = parameter({ name: "walk.arms", type: "yes_no", value: true, initial: false });
 const steps = parameter({ name: "walk.steps", type: "whole", value: 3, initial: 3, min: 1, max: 10, unit: "" });
+const push = parameter({ name: "lab.push", type: "button", value: 3, initial: 0, min: 0, max: 2 ** 53, unit: "" });
 const name = parameter({ name: "walk.name", type: "text", value: "a", initial: "a", unit: "" });
 
 test("a search finds all of its words in name, description and unit", () => {
@@ -54,7 +56,13 @@ test("values and ranges in words", () => {
   expect(rangeWords(parameter({ min: -Infinity, max: 1 }))).toBe("at most 1 m");
   expect(rangeWords(parameter({ min: -Infinity, max: Infinity }))).toBe("");
   expect(rangeWords({ ...steps, min: -(2 ** 31), max: 2 ** 31 - 1 })).toBe("");
-  expect([isChanged(parameter()), isChanged(arms)]).toEqual([false, true]);
+  expect([isChanged(parameter()), isChanged(arms), isChanged(push)]).toEqual([false, true, false]);
+  expect([0, 1, 2, 3].map(pressesWords)).toEqual([
+    "not pressed yet",
+    "pressed once",
+    "pressed twice",
+    "pressed 3 times",
+  ]);
 });
 
 test("a slider has round steps, at least a hundred of them", () => {
@@ -84,6 +92,8 @@ describe("a wrong value gets one sentence", () => {
     [parameter(), null, "walk.height: expected a number, got null."],
     [steps, 1.5, "walk.steps: expected a whole number, got 1.5."],
     [steps, 11, "walk.steps: expected 1 to 10, got 11."],
+    [push, -1, "lab.push: expected at least 0, got -1."],
+    [push, 0.5, "lab.push: expected a whole number, got 0.5."],
     [arms, "yes", 'walk.arms: expected true or false, got "yes".'],
     [gait, "faster", 'walk.gait: expected one of slow, fast, got "faster".'],
     [name, 1, "walk.name: expected a text, got 1."],
@@ -99,18 +109,19 @@ describe("a wrong value gets one sentence", () => {
       [arms, false],
       [gait, "fast"],
       [name, "ä".repeat(100)],
+      [push, 4],
     ] as const)
       expect(refusalOf(one, value)).toBe("");
   });
 });
 
 describe("the file", () => {
-  const all = [parameter(), gait, arms, steps, name];
+  const all = [parameter(), gait, arms, steps, name, push];
 
   test("round trip: what was saved changes nothing, and brings later changes back", () => {
     const text = textOfValues(all);
     expect(valuesOf(text, all)).toEqual({ changes: new Map(), problems: [] });
-    const later = [parameter({ value: 0.04 }), { ...gait, value: "fast" }, arms, steps, { ...name, value: "b" }];
+    const later = [parameter({ value: 0.04 }), { ...gait, value: "fast" }, arms, steps, { ...name, value: "b" }, push];
     expect(valuesOf(text, later)).toEqual({
       changes: new Map<string, unknown>([
         ["walk.height", 0.02],
@@ -122,7 +133,7 @@ describe("the file", () => {
   });
 
   test("each value that does not fit is named, the others are loaded", () => {
-    const values = { "walk.height": 1, "walk.steps": 4, "walk.knee": 1, "kick.force": 2 };
+    const values = { "walk.height": 1, "walk.steps": 4, "walk.knee": 1, "kick.force": 2, "lab.push": 4 };
     const kick = parameter({ name: "kick.force", process: "kick", gone: true });
     expect(valuesOf(JSON.stringify({ foresight_parameters: 1, values }), [...all, kick])).toEqual({
       changes: new Map([["walk.steps", 4]]),
@@ -130,6 +141,7 @@ describe("the file", () => {
         "walk.height: expected 0 to 0.05 m, got 1.",
         '"walk.knee": no process announces this parameter.',
         "kick.force: its process has disconnected.",
+        "lab.push: a file presses no button.",
       ],
     });
   });

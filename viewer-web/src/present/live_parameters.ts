@@ -5,7 +5,8 @@ import type { LiveParameter, ParameterValue } from "../memory/live_parameters";
 const kFormat = 1;
 const kMostTextBytes = 200;
 
-export const isChanged = ({ value, initial }: LiveParameter): boolean => value !== initial;
+/** Whether the value is another one than in the process's own file. A button has none. */
+export const isChanged = ({ type, value, initial }: LiveParameter): boolean => type !== "button" && value !== initial;
 
 /** Whether all words of `search` are in the parameter's name, description or unit. */
 export function isFound({ name, description, unit }: LiveParameter, search: string): boolean {
@@ -25,6 +26,10 @@ export function valueWords({ type, unit }: Pick<LiveParameter, "type" | "unit">,
 
 /** A number without the noise of floating point: 0.3, not 0.30000000000000004. */
 export const numberWord = (value: number): string => String(Number(value.toPrecision(12)));
+
+/** Returns how often a button was pressed: "pressed once". */
+export const pressesWords = (presses: number): string =>
+  presses === 0 ? "not pressed yet" : `pressed ${["", "once", "twice"][presses] ?? `${presses} times`}`;
 
 /** Returns the range in words: "0 to 0.05 m", "at least 1", "" without limits. */
 export function rangeWords(parameter: LiveParameter): string {
@@ -62,11 +67,12 @@ export function refusalOf(parameter: LiveParameter, value: unknown): string {
       return new TextEncoder().encode(value).length <= kMostTextBytes
         ? ""
         : `${name}: expected a text of at most ${kMostTextBytes} bytes.`;
+    case "button":
     case "whole":
     case "number": {
-      const words = type === "whole" ? "a whole number" : "a number";
+      const words = type === "number" ? "a number" : "a whole number";
       if (typeof value !== "number" || !Number.isFinite(value)) return no(words);
-      if (type === "whole" && !Number.isSafeInteger(value)) return no(words);
+      if (type !== "number" && !Number.isSafeInteger(value)) return no(words);
       return value >= min && value <= max ? "" : no(rangeWords(parameter) || words);
     }
   }
@@ -79,9 +85,10 @@ function shown(value: unknown): string {
 
 // the file
 
-/** Returns the text of a file with the values of all parameters whose process runs. */
+/** Returns the text of a file with the values of all parameters whose process runs. Presses of buttons are no values. */
 export function textOfValues(parameters: LiveParameter[]): string {
-  const values = Object.fromEntries(parameters.filter(({ gone }) => !gone).map(({ name, value }) => [name, value]));
+  const kept = parameters.filter(({ type, gone }) => type !== "button" && !gone);
+  const values = Object.fromEntries(kept.map(({ name, value }) => [name, value]));
   return `${JSON.stringify({ foresight_parameters: kFormat, values }, null, 2)}\n`;
 }
 
@@ -117,7 +124,9 @@ export function valuesOf(text: string, parameters: LiveParameter[]): LoadedValue
       ? `${shown(name)}: no process announces this parameter.`
       : parameter.gone
         ? `${name}: its process has disconnected.`
-        : refusalOf(parameter, value);
+        : parameter.type === "button"
+          ? `${name}: a file presses no button.`
+          : refusalOf(parameter, value);
     if (problem) problems.push(problem);
     else if (parameter!.value !== value) changes.set(name, value as ParameterValue);
   }

@@ -41,7 +41,7 @@ std::string refusal(LiveParameter::Type type, const std::function<void(LiveParam
 
 TEST(AnnouncedParameter, EveryTypeComesBackAsItWasAnnounced) {
   for (const auto type : {LiveParameter::TYPE_NUMBER, LiveParameter::TYPE_WHOLE, LiveParameter::TYPE_YES_NO,
-                          LiveParameter::TYPE_TEXT, LiveParameter::TYPE_CHOICE}) {
+                          LiveParameter::TYPE_TEXT, LiveParameter::TYPE_CHOICE, LiveParameter::TYPE_BUTTON}) {
     const LiveParameter parameter = announced(type);
     const auto offered = offered_parameter(parameter, "walk");
     ASSERT_TRUE(offered) << offered.error();
@@ -67,7 +67,7 @@ TEST(AnnouncedParameter, AWrongOneIsRefusedWithASentence) {
   EXPECT_EQ(number([](auto& p) { p.set_description(std::string(201, 'm')); }),
             "parameter 'speed': expected a description of at most 200 bytes");
   EXPECT_EQ(number([](auto& p) { p.clear_type(); }),
-            "parameter 'speed': expected a number, whole number, yes or no, text or choice, got another type");
+            "parameter 'speed': expected a number, whole number, yes or no, text, choice or button, got another type");
   EXPECT_NE(number([](auto& p) { p.set_type(static_cast<LiveParameter::Type>(99)); }), "");
   EXPECT_EQ(number([](auto& p) { p.set_number(kNaN); }), "parameter 'speed': expected a finite number, got nan");
   EXPECT_NE(number([](auto& p) { p.set_initial_number(kInfinity); }), "");
@@ -79,6 +79,9 @@ TEST(AnnouncedParameter, AWrongOneIsRefusedWithASentence) {
   EXPECT_EQ(refusal(LiveParameter::TYPE_WHOLE, [](auto& p) { p.set_number(0.5); }),
             "parameter 'speed': expected values of its type, got others");
   EXPECT_NE(refusal(LiveParameter::TYPE_WHOLE, [](auto& p) { p.set_number(1e16); }), "");
+  EXPECT_EQ(refusal(LiveParameter::TYPE_BUTTON, [](auto& p) { p.set_number(-1); }),
+            "parameter 'speed': expected 0 .. 9007199254740992, got -1");
+  EXPECT_NE(refusal(LiveParameter::TYPE_BUTTON, [](auto& p) { p.set_number(0.5); }), "");
   EXPECT_NE(refusal(LiveParameter::TYPE_YES_NO, [](auto& p) { p.set_number(2); }), "");
   EXPECT_EQ(refusal(LiveParameter::TYPE_TEXT, [](auto& p) { p.set_text(std::string(201, 'a')); }),
             "parameter 'speed': expected a text of at most 200 bytes");

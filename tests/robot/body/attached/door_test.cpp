@@ -187,6 +187,7 @@ struct LiveParametersOfC : TheDoor {
     foresight_add_yes_no(parameters, "arms", &arms, "");
     foresight_add_text(parameters, "name", name, sizeof name, "");
     foresight_add_choice(parameters, "gait", &gait, kGaits, 2, "");
+    foresight_add_button(parameters, "kick", &kicks, "Kicks once.");
   }
 
   /// Polls until the process has announced something new, and returns it.
@@ -220,7 +221,7 @@ struct LiveParametersOfC : TheDoor {
                           .schema = memory::schema_of(*foresight::LiveParameters::descriptor())},
       clock);
   double height = 0.02;
-  int steps = -3, arms = 5, gait = 1;
+  int steps = -3, arms = 5, gait = 1, kicks = 9;
   char name[8] = "ab";
   ForesightParameters* parameters = nullptr;
   std::uint64_t last_announced_ns = 0;
@@ -229,7 +230,7 @@ struct LiveParametersOfC : TheDoor {
 TEST_F(LiveParametersOfC, AreAnnouncedWithAllFields) {
   using foresight::LiveParameter;
   const foresight::LiveParameters message = announced();
-  ASSERT_EQ(message.parameter_size(), 5);
+  ASSERT_EQ(message.parameter_size(), 6);
   EXPECT_EQ(message.parameter(0).ShortDebugString(),
             R"(name: "height" type: TYPE_NUMBER number: 0.02 initial_number: 0.02 max: 0.05 unit: "m" )"
             R"(description: "Height of a foot.")");
@@ -239,6 +240,37 @@ TEST_F(LiveParametersOfC, AreAnnouncedWithAllFields) {
   EXPECT_EQ(message.parameter(3).text(), "ab");
   EXPECT_EQ(message.parameter(4).ShortDebugString(),
             R"(name: "gait" type: TYPE_CHOICE text: "fast" initial_text: "fast" choice: "slow" choice: "fast")");
+  EXPECT_EQ(message.parameter(5).ShortDebugString(), R"(name: "kick" type: TYPE_BUTTON description: "Kicks once.")");
+  EXPECT_EQ(kicks, 0);
+}
+
+TEST_F(LiveParametersOfC, AButtonCountsThePressesOfThisProcessAlone) {
+  foresight::LiveParameters message = announced();
+  const auto press_to = [&](double presses) {
+    message.mutable_parameter(5)->set_number(presses);
+    tell(message);
+  };
+  press_to(7);  // the runtime knows them of a former process
+  message.mutable_parameter(1)->set_number(1);
+  tell(message);
+  EXPECT_EQ(changes(), 1);
+  EXPECT_EQ(kicks, 0);
+  press_to(8);
+  EXPECT_EQ(changes(), 1);
+  EXPECT_EQ(kicks, 1);
+  press_to(10);
+  EXPECT_EQ(changes(), 1);
+  EXPECT_EQ(kicks, 3);
+
+  // a runtime that has lost them gets its own count back
+  tell({});
+  EXPECT_EQ(announced().parameter(5).number(), 10);
+  message.mutable_parameter(1)->set_number(2);
+  press_to(2);  // somebody has set a smaller number
+  EXPECT_EQ(changes(), 1);
+  press_to(3);
+  EXPECT_EQ(changes(), 1);
+  EXPECT_EQ(kicks, 4);
 }
 
 TEST_F(LiveParametersOfC, TakeTheValuesThatPeopleSet) {
