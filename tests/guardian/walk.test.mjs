@@ -1,15 +1,30 @@
 // The body `nao` on a robot in a physics engine: the real runtime, guardian and walk; only LoLA's end is MuJoCo.
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
+import { execFileSync, spawn } from "node:child_process";
+import { createReadStream, existsSync } from "node:fs";
 import { join as pathOf } from "node:path";
 import { describe, test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { open, shoot } from "../e2e/browser.mjs";
-import { bin, until } from "../e2e/support.mjs";
+import { atEnd, bin, until } from "../e2e/support.mjs";
 import { commander, kStand, walkSpeed } from "./commander.mjs";
 import { join } from "./runtime.mjs";
 import { World } from "./world.mjs";
 
 const skip = existsSync(pathOf(bin, "lab_robot")) ? false : "MuJoCo is missing: install libmujoco-dev";
+
+const kLab = fileURLToPath(new URL("../walk/lab.py", import.meta.url));
+
+/** Starts the controls of scripts/walk-lab. */
+function control(t, world, door, ...robot) {
+  const pipe = pathOf(world.folder, "lines");
+  execFileSync("mkfifo", [pipe]);
+  const child = spawn("python3", [kLab, pipe, ...robot], { env: { ...process.env, FORESIGHT_DOOR: door }, stdio: "pipe" });
+  child.stderr.pipe(process.stderr);
+  createReadStream(pipe).pipe(world.robot.stdin, { end: false });
+  atEnd(t, () => child.kill("SIGKILL"));
+  return child;
+}
 
 // tests/walk judges the walk itself, in a time that does not depend on the machine. Here the physics follows the clock, so a
 // busy machine may make the robot fall.
@@ -42,5 +57,37 @@ describe("a robot in the physics", { skip }, () => {
     await live.until(() => newest("motion_status").fall === "FALL_FALLEN", "it lies");
     await live.until(() => newest("motion_status").running === "get_up", "it gets up");
     assert.equal(newest("body").doing, "DOING_GETTING_UP");
+  });
+
+  test("is pushed, put up and changed by clicks in the viewer", async (t) => {
+    const world = new World(t);
+    await world.startRobot("lab_robot", "stiff");
+    await world.startGuardian();
+    const { server, live, newest, door } = await join(t, world, ["motion_status", "body"]);
+    const lab = control(t, world, door, "stiff", "1");
+    await live.until(() => newest("body").mode === "MODE_PLAYING", "the lab has pressed the chest button");
+    await world.until((state) => state.upright && state.stiffness > 0.5, "it stands");
+
+    const { page, problems } = await open(t, `${server.http}/#/14/2/parameters`);
+    const button = (name) => page.getByRole("button", { name, exact: true });
+    await page.getByLabel("impulse", { exact: true }).fill("4.5");
+    await page.getByLabel("impulse", { exact: true }).press("Enter");
+    await page.getByText("● default").waitFor();
+    await button("push from behind").click();
+    await live.until(() => newest("motion_status").fall === "FALL_FALLEN", "it lies");
+    assert.equal(newest("motion_status").fall_side, "FALL_SIDE_FRONT");
+    await shoot(page, "walk-lab");
+    await button("put up").click();
+    await world.until((state) => state.upright && state.stiffness > 0.5, "it is on its feet again");
+
+    await page.getByLabel("servos", { exact: true }).selectOption("soft");
+    await page.getByLabel("turf", { exact: true }).fill("4");
+    await page.getByLabel("turf", { exact: true }).press("Enter");
+    await world.until((state) => state.servos === "soft" && state.turf === 4, "another robot on other ground");
+    await world.until((state) => state.upright && state.stiffness > 0.5, "it stands, too");
+    lab.stdin.write("x");
+    await until(() => lab.exitCode === 0, "x ends the lab");
+    assert.equal(world.robot.errors, "");
+    assert.deepEqual(problems, []);
   });
 });

@@ -4,9 +4,9 @@
 //
 //   push IMPULSE DEGREES   a blow to the torso [N s], 0 from behind, 90 from the right
 //   again [SERVOS [SEED]]  puts another robot on its feet: stiff or soft
-//   friction X             of soles and ground; turf MM: bumps; both with the robot put up again
+//   friction X             of soles and ground, 0: as drawn; turf MM: bumps; both with the robot put up again
 //   chest, head, release   presses the chest button or the head, or lets go
-//   state                  prints {"upright", "x", "y", "heading", "stiffness", "knee", "chest", "frames"}
+//   state                  prints {"servos", "turf", "upright", "x", "y", "heading", "stiffness", "knee", "chest", "frames"}
 //   end
 #include <poll.h>
 #include <sys/socket.h>
@@ -130,7 +130,7 @@ class LabRobot {
       words >> choice_.seed;
       put_up();
     } else if (word == "friction" && words >> first) {
-      choice_.friction = first;
+      choice_.friction = first > 0 ? std::optional(first) : std::nullopt;
       put_up();
     } else if (word == "turf" && words >> first) {
       choice_.turf = first / 1000;
@@ -140,7 +140,9 @@ class LabRobot {
       for (const std::size_t head : {1, 2, 3}) body_->sensors.touch[head] = word == "head" ? 1 : 0;
     } else if (word == "state") {
       const walk::Truth truth = body_->truth();
-      const json state = {{"upright", body_->upright()},
+      const json state = {{"servos", choice_.servos == walk::Servos::soft ? "soft" : "stiff"},
+                          {"turf", 1000 * choice_.turf},
+                          {"upright", body_->upright()},
                           {"x", truth.x},
                           {"y", truth.y},
                           {"heading", truth.heading},
