@@ -98,6 +98,7 @@ const std::map<std::string, Case>& cases() {
       {"sideways", constant({.left = 0.1}, 20)},
       {"turning", constant({.turn = 0.8}, 20)},
       {"game", {.plan = [](std::uint64_t seed, int) { return game_like(seed, 60); }}},
+      {"half", {.plan = [](std::uint64_t seed, int) { return game_like(seed, 600); }}},
       {"stop", {.plan = [=](std::uint64_t, int) { return stopping(ahead); }}},
       {"push 1.2 walking", pushes(1.2, slow)},
       {"push 1.2 standing", pushes(1.2, {})},
