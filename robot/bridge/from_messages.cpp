@@ -211,23 +211,35 @@ void see_opponents(const Recollection& from, const PlayerMap& lineup, sim::fores
   }
 }
 
+sim::Lying lying_of(pb::MotionStatus::FallSide side) {
+  switch (side) {
+    case pb::MotionStatus::FALL_SIDE_FRONT: return sim::Lying::on_front;
+    case pb::MotionStatus::FALL_SIDE_LEFT: return sim::Lying::on_left;
+    case pb::MotionStatus::FALL_SIDE_RIGHT: return sim::Lying::on_right;
+    default: return sim::Lying::on_back;
+  }
+}
+
 /// Returns the body in its present action.
 sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& model, Tick now) {
   sim::Body body;
   body.since = now;
+  const auto lying = lying_of(status.fall_side());
   if (status.fall() == pb::MotionStatus::FALL_FALLEN || status.fall() == pb::MotionStatus::FALL_FALLING) {
     body.doing = Doing::fallen;
+    body.kind = static_cast<std::uint8_t>(lying);
     return body;
   }
   if (status.fall() == pb::MotionStatus::FALL_GETTING_UP) {
     body.doing = Doing::getting_up;
+    body.kind = static_cast<std::uint8_t>(lying);
     return body;
   }
   for (int kick = 0; kick < model.kick_count; ++kick) {
     if (status.running() != model.kicks[kick].name) continue;
     const float elapsed = std::clamp(model.kicks[kick].duration - finite(status.remaining()), 0.f, 10.f);
     body.doing = Doing::kicking;
-    body.kick = static_cast<std::uint8_t>(kick);
+    body.kind = static_cast<std::uint8_t>(kick);
     body.since = now - sim::ticks(elapsed);
     body.kick_done = elapsed >= model.kicks[kick].delay;
     return body;

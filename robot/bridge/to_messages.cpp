@@ -113,6 +113,16 @@ pb::MotionStatus::Fall fall_of(Doing doing) {
   return doing == Doing::getting_up ? pb::MotionStatus::FALL_GETTING_UP : pb::MotionStatus::FALL_UPRIGHT;
 }
 
+pb::MotionStatus::FallSide fall_side_of(sim::Lying lying) {
+  switch (lying) {
+    case sim::Lying::on_back: return pb::MotionStatus::FALL_SIDE_BACK;
+    case sim::Lying::on_front: return pb::MotionStatus::FALL_SIDE_FRONT;
+    case sim::Lying::on_left: return pb::MotionStatus::FALL_SIDE_LEFT;
+    case sim::Lying::on_right: return pb::MotionStatus::FALL_SIDE_RIGHT;
+  }
+  return pb::MotionStatus::FALL_SIDE_UNSPECIFIED;
+}
+
 /// Fills the ball of a teammate's message, in the frame of that teammate's robot.
 void fill_told_ball(const sim::agent::Mate& mate, const Timeline& timeline, pb::Ball& ball) {
   const Vec2 in_robot = sim::turned_back(mate.ball - mate.pose.position, sim::direction(mate.pose.heading));
@@ -266,12 +276,14 @@ void to_proto(const sim::Body& body, const sim::motion::Command& command, const 
   message.set_stopping(doing == Doing::stopping);
   message.set_calibrated(true);
   message.set_fall(fall_of(doing));
+  // without a table of falls nobody knows the side
+  if (sim::lies(body) && model.falls.table.given) message.set_fall_side(fall_side_of(sim::Lying{body.kind}));
   message.set_ground_contact(doing != Doing::removed);
   message.set_velocity_x(body.velocity.x);
   message.set_velocity_y(body.velocity.y);
   message.set_turn_rate(body.turn_rate);
   if (doing == Doing::kicking) {
-    const sim::motion::Kick& kick = model.kicks[body.kick];
+    const sim::motion::Kick& kick = model.kicks[body.kind];
     message.set_running(kick.name);
     message.set_remaining(std::max(kick.duration - sim::age(now, body.since), 0.f));
   }

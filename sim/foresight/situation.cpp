@@ -119,7 +119,7 @@ class Guesswork {
     const auto side = static_cast<int>(side_of(robot));
     const Tick down = knowledge_.down[side][player_of(robot) - 1];
     const motion::Falls& falls = models_of(params_, robot).motion.falls;
-    if (down == 0 || knowledge_.now - down >= ticks(falls.lying + falls.getting_up)) return {};
+    if (down == 0 || knowledge_.now - down >= ticks(falls.usual_time())) return {};
     return {.doing = Doing::fallen, .since = down};
   }
 

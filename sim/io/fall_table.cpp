@@ -11,12 +11,15 @@ constexpr std::string_view kEvidence[] = {"about", "made_by", "counts"};
 template <class AnyTable, class See>
 void visit_table(AnyTable& table, See&& see) {
   see("collisions", table.collisions);
+  see("alone", table.alone);
   see("stiff_rates", table.stiff.rates);
   see("stiff_standing", table.stiff.standing);
   see("stiff_walking", table.stiff.walking);
+  see("stiff_getting_up", table.stiff.getting_up);
   see("soft_rates", table.soft.rates);
   see("soft_standing", table.soft.standing);
   see("soft_walking", table.soft.walking);
+  see("soft_getting_up", table.soft.getting_up);
 }
 
 void read_table(Reader& reader, const Json& object, const std::string& path, Fields fields, motion::FallTable& into) {
@@ -31,6 +34,8 @@ void read_table(Reader& reader, const Json& object, const std::string& path, Fie
   });
   reader.refuse_unknown(object, path, known);
   into.given = true;
+  if (const float share = into.alone.front + into.alone.back; share > 1.001f)
+    reader.refuse(Reader::below(path, "alone") + ": front and back must be at most 1 together, got " + shown(share));
 }
 
 void read_named(Reader& reader, const std::string& name, const std::string& path, motion::FallTable& into) {

@@ -49,9 +49,9 @@ void read_section(Reader& reader, const Json& json, const char* name, Fields fie
   if (const auto table = json.find("table"); table != json.end())
     read_fall_table(reader, *table, Reader::below(name, "table"), falls.table);
   if (fields == Fields::all || !falls.table.given) return;
-  for (const char* rate : {"per_minute_walking", "per_second_touching"})
-    if (json.contains(rate))
-      reader.refuse(Reader::below(name, rate) +
+  for (const char* other : {"per_minute_walking", "per_second_touching", "lying", "getting_up", "failure"})
+    if (json.contains(other))
+      reader.refuse(Reader::below(name, other) +
                     " is not played with a table of falls; leave that out with falls.table=off");
 }
 

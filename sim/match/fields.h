@@ -47,11 +47,11 @@ void visit_members(Struct& whole, See&& see) {
     auto& [position, velocity] = whole;
     see("position", position), see("velocity", velocity);
   } else if constexpr (std::is_same_v<Type, Body>) {
-    auto& [position, heading, facing, velocity, turn_rate, head_yaw, head_pitch, look, doing, kick, kick_left,
+    auto& [position, heading, facing, velocity, turn_rate, head_yaw, head_pitch, look, doing, kind, kick_left,
            kick_done, kick_gain, since, step_velocity, step_turn_rate, walked, touching, pushing, glide, moved] = whole;
     see("position", position), see("heading", heading), see("facing", facing), see("velocity", velocity);
     see("turn_rate", turn_rate), see("head_yaw", head_yaw), see("head_pitch", head_pitch), see("look", look);
-    see("doing", doing), see("kick", kick), see("kick_left", kick_left), see("kick_done", kick_done);
+    see("doing", doing), see("kind", kind), see("kick_left", kick_left), see("kick_done", kick_done);
     see("kick_gain", kick_gain), see("since", since), see("step_velocity", step_velocity);
     see("step_turn_rate", step_turn_rate);
     see("walked", walked), see("touching", touching), see("pushing", pushing);

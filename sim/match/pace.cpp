@@ -67,7 +67,7 @@ Tick until_impact(const motion::Model& model, const World& world, const Robot& s
   const bool kicks = body.doing == Doing::kicking;
   if (body.doing > Doing::kicking) return 0;
   if (kicks ? body.kick_done : self.command.body != motion::Command::Body::kick) return 0;
-  const Tick impact = ticks(model.kicks[kicks ? body.kick : self.command.kick].delay);
+  const Tick impact = ticks(model.kicks[kicks ? body.kind : self.command.kick].delay);
   const Tick elapsed = kicks ? world.tick - body.since : 0;
   return elapsed < impact ? impact - elapsed : 1;
 }

@@ -13,7 +13,7 @@
 namespace sim {
 
 /// The version of the format. Increment it when the fields of State change; older snapshots are then refused.
-inline constexpr std::uint32_t kSnapshotVersion = 3;
+inline constexpr std::uint32_t kSnapshotVersion = 4;
 
 /// Returns "FSIM", the version, every field in order, and the hash of all these bytes.
 std::vector<std::uint8_t> snapshot_of(const State& state);

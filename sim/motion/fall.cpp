@@ -1,6 +1,7 @@
 #include "sim/motion/fall.h"
 
 #include <algorithm>
+#include <array>
 
 #include "sim/motion/batch.h"
 #include "sim/motion/fall_lanes.h"
@@ -24,6 +25,19 @@ const ServoClass& class_of(const FallTable& table, RandomKey key, int robot) {
   return !shoved ? alone : std::max(alone, walks ? rates.shoved_walking : rates.shoved_standing);
 }
 
+/// How a body that is down gets up.
+struct Attempt {
+  float lying, getting_up;  // [s]
+  float failure;            // [0..1]
+};
+
+Attempt attempt_of(const Falls& falls, const World& world, int robot) {
+  if (!falls.table.given) return {falls.lying, falls.getting_up, falls.failure};
+  const GettingUp& own = class_of(falls.table, world.key, robot).getting_up;
+  const Lying lying{world.bodies[robot].kind};
+  return {own.lying, own.seconds(lying), own.failure(lying)};
+}
+
 /// Returns the rate of falls of an upright body [1/s]; 0 for others.
 float rate_of(const Falls& falls, const World& world, int robot) {
   const Body& body = world.bodies[robot];
@@ -33,8 +47,9 @@ float rate_of(const Falls& falls, const World& world, int robot) {
   return body.touching > 0 ? walking + falls.per_second_touching : walking;
 }
 
-void fall(Tick now, Body& body) {
+void fall(Tick now, Lying lying, Body& body) {
   body.doing = Body::Doing::fallen;
+  body.kind = static_cast<std::uint8_t>(lying);
   body.since = now;
   body.velocity = {};
   body.turn_rate = 0;
@@ -42,24 +57,29 @@ void fall(Tick now, Body& body) {
 
 /// A robot that falls at some rate.
 struct Faller {
+  const Falls* falls;
   const Mover* mover;
   float rate;  // [1/s] > 0
 
-  Body& body() const { return mover->world->bodies[mover->robot]; }
+  std::array<std::uint32_t, 4> words() const {
+    return draw(mover->world->key, static_cast<std::uint32_t>(mover->robot), Draw::fall, mover->world->tick);
+  }
+  void fall() const {
+    const FallTable& table = falls->table;
+    const Lying lying = table.given ? table.alone.lying(uniform(words()[1])) : Lying::on_back;
+    motion::fall(mover->world->tick, lying, mover->world->bodies[mover->robot]);
+  }
 };
 
 void perhaps_fall_alone(const Faller& faller) {
-  const auto& [mover, rate] = faller;
-  const Tick now = mover->world->tick;
-  const auto words = draw(mover->world->key, static_cast<std::uint32_t>(mover->robot), Draw::fall, now);
-  if (falls_by(words[0], rate, static_cast<float>(mover->steps))) fall(now, faller.body());
+  if (falls_by(faller.words()[0], faller.rate, static_cast<float>(faller.mover->steps))) faller.fall();
 }
 
 /// Lets up to kLanes bodies fall, perhaps.
 void perhaps_fall_together(std::span<const Faller> fallers) {
   FallLanes lanes;
   if (fallers.size() < kLanes) lanes = {};
-  for (int i = 0; const auto& [mover, rate] : fallers) {
+  for (int i = 0; const auto& [falls, mover, rate] : fallers) {
     lanes.draws.set(i, mover->world->key, mover->robot, mover->world->tick);
     lanes.rate[i] = rate;
     lanes.ticks[i] = static_cast<float>(mover->steps);
@@ -67,14 +87,14 @@ void perhaps_fall_together(std::span<const Faller> fallers) {
   }
   in_lanes<draw_falls>(lanes);
   for (int i = 0; const Faller& faller : fallers)
-    if (lanes.falls[i++] != 0) fall(faller.mover->world->tick, faller.body());
+    if (lanes.falls[i++] != 0) faller.fall();
 }
 
 }  // namespace
 
 void perhaps_fall(const MotionParams& params, const Mover& mover) {
   const float rate = rate_of(params.model.falls, *mover.world, mover.robot);
-  if (rate > 0) perhaps_fall_alone({&mover, rate});
+  if (rate > 0) perhaps_fall_alone({&params.model.falls, &mover, rate});
 }
 
 void perhaps_fall(const MotionParams& params, std::span<const Mover> movers) {
@@ -87,7 +107,7 @@ void perhaps_fall(const MotionParams& params, std::span<const Mover> movers) {
     return std::size_t{0};
   });
   for (const Mover& mover : movers)
-    if (const float rate = rate_of(falls, *mover.world, mover.robot); rate > 0) batch.add({&mover, rate});
+    if (const float rate = rate_of(falls, *mover.world, mover.robot); rate > 0) batch.add({&falls, &mover, rate});
   batch.finish();
 }
 
@@ -98,16 +118,17 @@ void topple(const MotionParams& params, Vec2 closing, int robot, World& world) {
   const ServoClass& own = class_of(table, world.key, robot);
   const Toppling& toppling = body.doing == Body::Doing::walking ? own.walking : own.standing;
   const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::collision, world.tick);
-  if (uniform(words[0]) < toppling.probability(table.collisions.impulse(closing))) fall(world.tick, body);
+  if (uniform(words[0]) < toppling.probability(table.collisions.impulse(closing)))
+    fall(world.tick, lying_after(closing), body);
 }
 
 Tick lie(const MotionParams& params, int robot, Tick now, Tick left, World& world) {
   Body& body = world.bodies[robot];
-  const Falls& falls = params.model.falls;
+  const Attempt attempt = attempt_of(params.model.falls, world, robot);
 
   // nothing changes within these ticks
   const bool fallen = body.doing == Body::Doing::fallen;
-  const Tick duration = std::max<Tick>(1, ticks(fallen ? falls.lying : falls.getting_up));
+  const Tick duration = std::max<Tick>(1, ticks(fallen ? attempt.lying : attempt.getting_up));
   const Tick elapsed = std::min(now - body.since, duration - 1);
   if (elapsed + left < duration) return left;
 
@@ -118,7 +139,7 @@ Tick lie(const MotionParams& params, int robot, Tick now, Tick left, World& worl
     return used;
   }
   const auto words = draw(world.key, static_cast<std::uint32_t>(robot), Draw::get_up, body.since);
-  body.doing = uniform(words[0]) < falls.failure ? Body::Doing::fallen : Body::Doing::standing;
+  body.doing = uniform(words[0]) < attempt.failure ? Body::Doing::fallen : Body::Doing::standing;
   return used;
 }
 

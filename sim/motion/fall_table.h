@@ -1,9 +1,10 @@
-// How often robots with one walk fall, measured: by themselves, and when something pushes them.
+// How often robots with one walk fall, measured: by themselves, and when something pushes them. And how they get up.
 #pragma once
 
 #include <cmath>
 
 #include "sim/math/vec2.h"
+#include "sim/world/body.h"
 
 namespace sim::motion {
 
@@ -79,17 +80,70 @@ struct CollisionModel {
   }
 };
 
+/// The side that robots are down on after a fall by themselves. The others lie on the left or the right.
+struct FallsAlone {
+  float front;  // [0..1] share
+  float back;   // [0..1] likewise
+
+  /// Returns how a robot lies, by a number in [0, 1).
+  Lying lying(float drawn) const {
+    if (drawn < front) return Lying::on_front;
+    if (drawn < front + back) return Lying::on_back;
+    return drawn < 0.5f * (1 + front + back) ? Lying::on_left : Lying::on_right;
+  }
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("front", self.front, "", 0.f, 1.f);
+    see("back", self.back, "", 0.f, 1.f);
+  }
+};
+
+/// Getting up. An attempt that fails takes as long as one that does not, and the robot lies again.
+struct GettingUp {
+  float lying;                                      // [s] before each attempt
+  float back, front, side;                          // [s] an attempt of a robot that is down on it
+  float back_failure, front_failure, side_failure;  // [0..1] probability that it fails
+
+  float seconds(Lying down) const { return of(down, back, front, side); }
+  float failure(Lying down) const { return of(down, back_failure, front_failure, side_failure); }
+
+  template <class Self, class See>
+  static void visit(Self& self, See&& see) {
+    see("lying", self.lying, "s", 0.f, 30.f);
+    see("back", self.back, "s", 0.f, 60.f);
+    see("front", self.front, "s", 0.f, 60.f);
+    see("side", self.side, "s", 0.f, 60.f);
+    see("back_failure", self.back_failure, "", 0.f, 0.95f);
+    see("front_failure", self.front_failure, "", 0.f, 0.95f);
+    see("side_failure", self.side_failure, "", 0.f, 0.95f);
+  }
+
+ private:
+  static float of(Lying down, float on_back, float on_front, float on_side) {
+    return down == Lying::on_back ? on_back : down == Lying::on_front ? on_front : on_side;
+  }
+};
+
 /// The falls of robots whose servos are alike.
 struct ServoClass {
   FallRates rates;
   Toppling standing, walking;
+  GettingUp getting_up;
 };
 
 /// The falls of all robots with one walk.
 struct FallTable {
   bool given;  // false: there is none, and the rest does not count
   CollisionModel collisions;
+  FallsAlone alone;
   ServoClass stiff, soft;
+
+  /// Returns the time [s] from a fall alone until the robot stands, if its first attempt succeeds: the mean.
+  float usual_time() const;
 };
+
+/// Returns how a robot lies that was pushed in this direction [robot].
+Lying lying_after(Vec2 push);
 
 }  // namespace sim::motion

@@ -79,7 +79,7 @@ void begin_kick(const Command& command, Tick now, Body& body) {
   body.since = now;
   body.velocity = {};
   body.turn_rate = 0;
-  body.kick = command.kick;
+  body.kind = command.kick;
   body.kick_left = command.kick_left;
   body.kick_gain = std::clamp(command.gain, 0.f, 1.f);
   body.kick_done = false;
@@ -87,7 +87,7 @@ void begin_kick(const Command& command, Tick now, Body& body) {
 
 Tick kick(const MotionParams& params, int robot, Tick now, Tick left, World& world) {
   Body& body = world.bodies[robot];
-  const Kick& kick = params.model.kicks[body.kick];
+  const Kick& kick = params.model.kicks[body.kind];
 
   // a kick takes at least one tick, and the foot passes within its duration
   const Tick end = std::max<Tick>(1, ticks(kick.duration));

@@ -117,14 +117,17 @@ struct Hits {
   }
 };
 
-/// Falls, which the thesis leaves out. The rate of falls is fitted to real games, or measured as a table.
+/// Falls, which the thesis leaves out. The rate of falls is fitted to real games, or a table has what was measured.
 struct Falls {
   float per_minute_walking;   // [1/min] while walking
   float per_second_touching;  // [1/s] more while in contact with another robot
   float lying;                // [s] before it begins to get up
   float getting_up;           // [s]
   float failure;              // [0..1] probability that an attempt fails and is repeated
-  FallTable table;            // replaces both rates, if it is given
+  FallTable table;            // replaces all of these, if it is given
+
+  /// Returns the time [s] from a fall until the robot stands, if its first attempt succeeds.
+  float usual_time() const { return table.given ? table.usual_time() : lying + getting_up; }
 
   template <class Self, class See>
   static void visit(Self& self, See&& see) {

@@ -11,6 +11,10 @@ namespace sim {
 /// The unit of Body::pushing: contacts are counted five times a second.
 inline constexpr Tick kPushingUnit = 6;  // [ticks]
 
+/// The side of a body that is down.
+enum class Lying : std::uint8_t { on_back, on_front, on_left, on_right };
+inline constexpr int kLyings = 4;
+
 /// The true state of a body. Frame: field, but velocities are in the robot's own frame.
 struct Body {
   enum class Doing : std::uint8_t {
@@ -35,12 +39,12 @@ struct Body {
   float head_pitch = 0;  // [rad] > 0 down
   Vec2 look{1, 0};       // [robot] the unit vector at `head_yaw`
   Doing doing = Doing::standing;
-  std::uint8_t kick = 0;      // kicking: index into the kick table
-  bool kick_left = false;     // kicking: with the left foot
-  bool kick_done = false;     // kicking: the foot has passed the place of the ball
-  float kick_gain = 1;        // kicking: share of the range
-  Tick since = 0;             // start of `doing`
-  Vec2 step_velocity;         // [m/s, robot] target of the current walking step
+  std::uint8_t kind = 0;   // kicking: index into the kick table; on the ground: the Lying, if a table of falls knows it
+  bool kick_left = false;  // kicking: with the left foot
+  bool kick_done = false;  // kicking: the foot has passed the place of the ball
+  float kick_gain = 1;     // kicking: share of the range
+  Tick since = 0;          // start of `doing`
+  Vec2 step_velocity;      // [m/s, robot] target of the current walking step
   float step_turn_rate = 0;   // [rad/s] likewise
   float walked = 0;           // [m] in this game
   std::uint8_t touching = 0;  // [ticks] in contact with another robot without a break, at most 255

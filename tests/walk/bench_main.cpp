@@ -92,10 +92,9 @@ Json played(const Case& one, const Tested& tested, std::uint64_t first_seed, int
 Json got_up(Servos servos, robot::nao::Lying side, std::uint64_t first_seed, int robots) {
   int first = 0, stood = 0;
   std::vector<double> seconds;
-  for (int i = 0; i < robots; ++i) {
-    const robot::nao::Rise rise = robot::nao::rise(servos, first_seed + static_cast<std::uint64_t>(i), side);
+  for (const robot::nao::Rise& rise : robot::nao::rises(servos, first_seed, robots, side)) {
     if (!rise.stood) continue;
-    first += rise.failed == 0, stood += rise.failed < 3;
+    first += rise.at_once(), stood += rise.failed < 3;
     seconds.push_back(rise.seconds);
   }
   return {{"robots", robots}, {"first", first}, {"within_three", stood}, {"seconds", seconds}};

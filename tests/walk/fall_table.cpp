@@ -8,6 +8,7 @@
 #include "robot/fit/math/least_squares.h"
 #include "robot/nao/walk/named_parameters.h"
 #include "sim/match/hash.h"
+#include "tests/walk/rise.h"
 
 namespace robot::nao::walk {
 namespace {
@@ -46,7 +47,17 @@ constexpr double kLeastSlope = 0.5, kMostSlope = 50;
 constexpr double kLeastImpulse = 0.1, kMostImpulse = 50;  // [N s]
 constexpr double kMostFalls = 600;                        // [1/min]
 
+constexpr std::array<std::pair<Lying, std::size_t>, 4> kSides = {
+    {{Lying::on_back, 0}, {Lying::on_front, 1}, {Lying::on_left, 2}, {Lying::on_right, 2}}};  // index into kDownOn
+
 double deviation_of(std::size_t term) { return term <= 1 ? 3 : 1.5; }
+
+/// Returns the hash of a text in 16 digits.
+std::string hexadecimal(const std::string& text) {
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(sim::hash_of_text(text)));
+  return hash;
+}
 
 /// Writes a number as short as it can be read.
 std::string digits_of(double number) {
@@ -87,6 +98,49 @@ Json toppling_json(const Toppling& toppling) {
   Json json = {{"slope", rounded(toppling.slope)}};
   for (std::size_t i = 0; i < kDirections; ++i)
     json[kNames[i]] = {{"value", rounded(toppling.half[i])}, {"unit", "N s"}};
+  return json;
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Returns the place in kDownOn of a robot that falls in this direction [rad].
+std::size_t down_on(double direction) {
+  if (std::abs(std::cos(direction)) < std::abs(std::sin(direction))) return 2;
+  return std::cos(direction) < 0 ? 0 : 1;
+}
+
+/// Lets robots get up from each side. Returns the problem if there is one.
+std::string count_rises(Servos servos, std::uint64_t first_seed, int robots, FallCounts& counts) {
+  std::array<std::vector<double>, 3> seconds;
+  std::vector<double> lay;
+  for (const auto& [side, place] : kSides)
+    for (const Rise& one :
+         rises(servos, std::exchange(first_seed, first_seed + static_cast<std::uint64_t>(robots)), robots, side)) {
+      ++counts.risen[place].robots;
+      lay.push_back(one.lay);
+      if (!one.at_once()) continue;
+      ++counts.risen[place].first;
+      seconds[place].push_back(one.seconds);
+    }
+  counts.lying = median_of(std::move(lay));
+  for (std::size_t place = 0; place < kDownOn.size(); ++place) {
+    if (seconds[place].empty()) return std::string("expected robots that get up, got none from the ") + kDownOn[place];
+    counts.risen[place].seconds = median_of(std::move(seconds[place]));
+  }
+  return "";
+}
+
+Json getting_up_json(const FallCounts& counts) {
+  Json json = {{"lying", {{"value", rounded(counts.lying)}, {"unit", "s"}}}};
+  for (std::size_t place = 0; place < kDownOn.size(); ++place)
+    json[kDownOn[place]] = {{"value", rounded(counts.risen[place].seconds)}, {"unit", "s"}};
+  for (std::size_t place = 0; place < kDownOn.size(); ++place)
+    json[std::string(kDownOn[place]) + "_failure"] = {{"value", rounded(failure_of(counts.risen[place]))},
+                                                      {"unit", ""}};
   return json;
 }
 
@@ -169,6 +223,7 @@ Result<FallCounts> count_falls(const Tested& tested, Servos servos, std::uint64_
     count(one, manner, [&](const Outcome& outcome, std::size_t) {
       into.falls += outcome.fell ? 1 : 0;
       into.minutes += (outcome.time - from) / 60;
+      if (outcome.fell && from == 0) ++counts.alone[down_on(outcome.direction)];
     });
   };
   for (const auto& [manner, command] : kManners) walked(constant(command), manner, 0);
@@ -184,22 +239,40 @@ Result<FallCounts> count_falls(const Tested& tested, Servos servos, std::uint64_
               pushed.to[direction].falls += outcome.fell ? 1 : 0;
             });
     }
+  if (problem.empty()) problem = count_rises(servos, seed, robots, counts);
   if (!problem.empty()) return Error{problem};
   return counts;
 }
+
+double failure_of(const Risen& risen) { return (risen.robots - risen.first + 0.5) / (risen.robots + 1.); }
+
+double share_of(int count, int all) { return (count + 0.5) / (all + 0.5 * kDownOn.size()); }
 
 std::string fall_table(const Origin& origin, const std::array<FallCounts, 2>& counts) {
   Json table;
   table["about"] = origin.walk == "ours"
                        ? "Falls of our own walk on simulated robots (tests/walk). No real Nao has been pushed."
-                       : "Falls of " + origin.walk + " on simulated robots.";
-  table["made_by"] = {{"harness", "bench_walk falls"},   {"build", origin.build},           {"walk", origin.walk},
-                      {"parameters", origin.parameters}, {"first_seed", origin.first_seed}, {"robots", origin.robots}};
+                       : "Falls of " + origin.walk +
+                             " on simulated robots, which get up as our guardian does it (robot/nao/guardian/get_up).";
+  table["made_by"] = {{"harness", "bench_walk falls"},
+                      {"build", origin.build},
+                      {"walk", origin.walk},
+                      {"parameters", origin.parameters},
+                      {"getting_up", hash_of_getting_up()},
+                      {"first_seed", origin.first_seed},
+                      {"robots", origin.robots}};
   table["collisions"] = {
       {"mass", {{"value", 5.3}, {"unit", "kg"}, {"source", "Aldebaran's table of masses, as in tests/walk/nao_model"}}},
       {"bounce", {{"value", 0.2}, {"unit", ""}, {"source", "estimate: plastic shells, and joints that give way"}}},
       {"soft", {{"value", 0.5}, {"unit", ""}, {"source", "estimate: half of a team's robots are worn"}}}};
   Json evidence;
+  std::array<int, 3> alone{};
+  for (const FallCounts& one : counts)
+    for (std::size_t place = 0; place < alone.size(); ++place) alone[place] += one.alone[place];
+  const int all_alone = alone[0] + alone[1] + alone[2];
+  for (const std::size_t place : {1, 0})
+    table["alone"][kDownOn[place]] = {{"value", rounded(share_of(alone[place], all_alone))}, {"unit", ""}};
+  for (std::size_t place = 0; place < alone.size(); ++place) evidence["alone"][kDownOn[place]] = alone[place];
   for (std::size_t one = 0; one < counts.size(); ++one) {
     const std::string name = kClasses[one];
     for (const auto& [manner, falls, minutes] : counts[one].walks) {
@@ -209,6 +282,10 @@ std::string fall_table(const Origin& origin, const std::array<FallCounts, 2>& co
     }
     table[name + "_standing"] = toppling_json(fit_toppling(counts[one].standing));
     table[name + "_walking"] = toppling_json(fit_toppling(counts[one].walking));
+    table[name + "_getting_up"] = getting_up_json(counts[one]);
+    for (std::size_t place = 0; place < kDownOn.size(); ++place)
+      evidence[name + "_getting_up"][kDownOn[place]] = {{"robots", counts[one].risen[place].robots},
+                                                        {"first", counts[one].risen[place].first}};
     evidence[name + "_standing"] = counts_json(counts[one].standing);
     evidence[name + "_walking"] = counts_json(counts[one].walking);
   }
@@ -224,9 +301,22 @@ std::string hash_of(const Parameters& parameters) {
                   parameters.*named.place);
     text += line;
   }
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(sim::hash_of_text(text)));
-  return hash;
+  return hexadecimal(text);
+}
+
+std::string hash_of_getting_up() {
+  std::string text;
+  for (const auto& [side, place] : kSides)
+    for (const KeyFrame& frame : get_up(side)) {
+      std::vector<float> numbers(frame.position.begin(), frame.position.end());
+      numbers.push_back(frame.seconds);
+      for (const float number : numbers) {
+        char digits[32];
+        std::snprintf(digits, sizeof digits, "%a ", static_cast<double>(number));
+        text += digits;
+      }
+    }
+  return hexadecimal(text);
 }
 
 }  // namespace robot::nao::walk

@@ -32,10 +32,23 @@ struct Walked {
   double minutes = 0;
 };
 
+/// Robots that lay on one side.
+struct Risen {
+  int robots = 0;
+  int first = 0;       // stood at the first attempt
+  double seconds = 0;  // of such an attempt: the median
+};
+
+/// What a robot is down on. The left and the right count together.
+inline constexpr std::array kDownOn = {"back", "front", "side"};
+
 /// All trials of the robots of one class.
 struct FallCounts {
   std::vector<Walked> walks;
+  std::array<int, 3> alone{};  // falls without a push, by kDownOn
   std::vector<Pushed> standing, walking;
+  std::array<Risen, 3> risen{};  // by kDownOn
+  double lying = 0;              // [s] before an attempt: the median
 };
 
 /// Which pushes topple a robot. The logarithm of the odds of a fall rises by `slope` with that of the impulse.
@@ -49,8 +62,8 @@ struct Toppling {
 /// direction differs from the mean by a factor of exp(1.5 / slope). Priors count where nearly all robots fall, or nearly none.
 Toppling fit_toppling(const std::vector<Pushed>& pushes);
 
-/// Counts the falls of `robots` robots of this class. It is an Error if the walk gives no gait, or if all robots fall before
-/// their push.
+/// Counts the falls of `robots` robots of this class, and lets them get up as our guardian does it. It is an Error if the walk
+/// gives no gait, if all robots fall before their push, or if none gets up.
 Result<FallCounts> count_falls(const Tested& tested, Servos servos, std::uint64_t first_seed, int robots);
 
 /// The source of the counts.
@@ -67,5 +80,12 @@ std::string fall_table(const Origin& origin, const std::array<FallCounts, 2>& co
 
 /// Returns a hash of the parameters of our walk: another one means another walk.
 std::string hash_of(const Parameters& parameters);
+/// Returns a hash of the key frames of getting up.
+std::string hash_of_getting_up();
+
+/// Returns the probability that an attempt fails. The prior is that of Jeffreys.
+double failure_of(const Risen& risen);
+/// Returns the share of falls with such a count, of `all`, with the same prior for each of kDownOn.
+double share_of(int count, int all);
 
 }  // namespace robot::nao::walk

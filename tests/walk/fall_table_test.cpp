@@ -76,6 +76,9 @@ TEST(FallTable, TheSimulatorReadsWhatIsPrinted) {
   for (const char* manner : {"standing", "slow", "ahead", "fast", "sideways", "turning", "shoved_standing"})
     counts.walks.push_back({manner, 0, 20});
   counts.walks.push_back({"shoved_walking", 3, 20});
+  counts.alone = {1, 4, 0};
+  counts.lying = 1.5;
+  counts.risen = {{{40, 38, 8.6}, {40, 30, 13.5}, {80, 70, 10}}};
   const std::string table = fall_table({.walk = "./libtheirs.so", .robots = 40}, {counts, counts});
   const auto models = sim::io::parse_models(
       R"({"name": "mine", "based_on": "match", "falls": {"table": )" + table + "}}", "models 'mine'");
@@ -85,6 +88,16 @@ TEST(FallTable, TheSimulatorReadsWhatIsPrinted) {
   const Toppling fit = fit_toppling(counts.standing);
   EXPECT_NEAR(read.stiff.standing.slope, fit.slope, 1e-2);
   for (std::size_t i = 0; i < kDirections; ++i) EXPECT_NEAR(read.stiff.standing.half[i], fit.half[i], 1e-3);
+  EXPECT_NEAR(read.alone.front, 8.5 / 11.5, 1e-3) << "of both classes, and half a fall more to each side";
+  EXPECT_NEAR(read.alone.back, 2.5 / 11.5, 1e-3);
+  const sim::motion::GettingUp& up = read.soft.getting_up;
+  EXPECT_EQ(up.lying, 1.5f);
+  EXPECT_EQ(up.seconds(sim::Lying::on_back), 8.6f);
+  EXPECT_EQ(up.seconds(sim::Lying::on_front), 13.5f);
+  EXPECT_EQ(up.seconds(sim::Lying::on_right), 10);
+  EXPECT_NEAR(up.failure(sim::Lying::on_back), 2.5 / 41, 1e-4);
+  EXPECT_NEAR(up.failure(sim::Lying::on_front), 10.5 / 41, 1e-4);
+  EXPECT_NEAR(up.failure(sim::Lying::on_left), 10.5 / 81, 1e-4);
 }
 
 TEST(FallTable, AWalkThatGivesNoGaitHasNone) {
@@ -139,10 +152,15 @@ TEST(EmbeddedFalls, AreThoseOfTheWalkAsItIs) {
   EXPECT_EQ(embedded()["made_by"]["parameters"], hash_of({}))
       << "the walk has other numbers now: bench_walk falls 970000 40 > sim/data/falls/foresight.json, and the "
          "signature";
+  EXPECT_EQ(embedded()["made_by"]["getting_up"], hash_of_getting_up()) << "getting up has other key frames: likewise";
 }
 
 TEST(EmbeddedFalls, FollowFromTheirCounts) {
   const Json table = embedded();
+  const Json& alone = table["counts"]["alone"];
+  const int falls = alone["back"].get<int>() + alone["front"].get<int>() + alone["side"].get<int>();
+  for (const char* side : {"front", "back"})
+    EXPECT_NEAR(table["alone"][side]["value"].get<double>(), share_of(alone[side], falls), 1e-3) << side;
   constexpr const char* kNames[] = {"front", "front_left", "left",  "back_left",
                                     "back",  "back_right", "right", "front_right"};
   for (const std::string servos : {"stiff", "soft"}) {
@@ -160,6 +178,12 @@ TEST(EmbeddedFalls, FollowFromTheirCounts) {
       EXPECT_NEAR(table[servos + state]["slope"].get<double>(), fit.slope, 1e-2);
       for (std::size_t i = 0; i < kDirections; ++i)
         EXPECT_NEAR(table[servos + state][kNames[i]]["value"].get<double>(), fit.half[i], 1e-3) << kNames[i];
+    }
+    for (const std::string side : kDownOn) {
+      const Json& counted = table["counts"][servos + "_getting_up"][side];
+      EXPECT_NEAR(table[servos + "_getting_up"][side + "_failure"]["value"].get<double>(),
+                  failure_of({counted["robots"], counted["first"], 0}), 1e-3)
+          << side;
     }
   }
 }

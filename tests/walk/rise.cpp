@@ -22,7 +22,7 @@ Rise rise(walk::Servos servos, std::uint64_t seed, Lying side) {
     const Doing before = robot.guardian.doing();
     robot.cycle();
     const Doing now = robot.guardian.doing();
-    if (now == Doing::getting_up && from < 0) from = i;
+    if (now == Doing::getting_up && from < 0) from = i, result.lay = i * 0.012;
     falls += before == Doing::standing && now == Doing::falling && from >= 0;
     failed = std::max(failed, robot.guardian.failed_attempts());
     stands = from >= 0 && now == Doing::standing && robot.body.upright() ? stands + 1 : 0;
@@ -32,6 +32,12 @@ Rise rise(walk::Servos servos, std::uint64_t seed, Lying side) {
   }
   result.failed = failed + falls;
   return result;
+}
+
+std::vector<Rise> rises(walk::Servos servos, std::uint64_t first_seed, int robots, Lying side) {
+  std::vector<Rise> all;
+  for (int i = 0; i < robots; ++i) all.push_back(rise(servos, first_seed + static_cast<std::uint64_t>(i), side));
+  return all;
 }
 
 }  // namespace robot::nao

@@ -221,6 +221,22 @@ TEST(Knowledge, AMotionThatHasBegunContinues) {
   EXPECT_EQ(known(game, from).body.doing, sim::Body::Doing::fallen);
 }
 
+TEST(Knowledge, ARobotOnTheGroundKnowsItsSide) {
+  const Played game;
+  Recollection from = game.recollection();
+  from.motion.emplace();
+  for (const auto fall : {pb::MotionStatus::FALL_FALLEN, pb::MotionStatus::FALL_GETTING_UP})
+    for (const auto& [side, lying] : {std::pair{pb::MotionStatus::FALL_SIDE_BACK, sim::Lying::on_back},
+                                      {pb::MotionStatus::FALL_SIDE_FRONT, sim::Lying::on_front},
+                                      {pb::MotionStatus::FALL_SIDE_LEFT, sim::Lying::on_left},
+                                      {pb::MotionStatus::FALL_SIDE_RIGHT, sim::Lying::on_right},
+                                      {pb::MotionStatus::FALL_SIDE_UNSPECIFIED, sim::Lying::on_back}}) {
+      from.motion->value.set_fall(fall);
+      from.motion->value.set_fall_side(side);
+      EXPECT_EQ(sim::Lying{known(game, from).body.kind}, lying) << side;
+    }
+}
+
 TEST(Knowledge, ARobotReportedOrSeenOnTheGroundLies) {
   const Played game;
   Recollection from = game.recollection();

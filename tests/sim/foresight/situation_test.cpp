@@ -191,15 +191,15 @@ TEST(Believe, AFallenRobotLiesUntilItMustBeUpAgain) {
     return believe(game.params(), knowledge).situation.state.world.bodies[fallen].doing;
   };
   EXPECT_EQ(doing(0), Doing::fallen);
-  EXPECT_EQ(doing(falls.lying + falls.getting_up - 0.1f), Doing::fallen);
-  EXPECT_EQ(doing(falls.lying + falls.getting_up), Doing::standing);
+  EXPECT_EQ(doing(falls.usual_time() - 0.1f), Doing::fallen);
+  EXPECT_EQ(doing(falls.usual_time()), Doing::standing);
 
   // and gets up by itself
   Knowledge knowledge = game.knowledge();
   knowledge.down[1][2] = knowledge.now;
   const State start = sample(game.params(), believe(game.params(), knowledge).situation, {.seed = 1});
   EXPECT_TRUE(lies(test::after(game.params(), start, ticks(falls.lying)).world.bodies[fallen]));
-  const float long_enough = 10 * (falls.lying + falls.getting_up);
+  const float long_enough = 10 * falls.usual_time();
   EXPECT_FALSE(lies(test::after(game.params(), start, ticks(long_enough)).world.bodies[fallen]));
 }
 

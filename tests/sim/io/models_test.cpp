@@ -196,7 +196,14 @@ TEST(Models, SingleFiguresOfATableOfFallsCanBeChanged) {
       error_of_models("nao,falls.per_minute_walking=1"),
       "models 'nao,falls.per_minute_walking=1': falls.per_minute_walking is not played with a table of falls; leave "
       "that out with falls.table=off");
+  for (const std::string other : {"lying", "getting_up", "failure"})
+    EXPECT_NE(error_of_models("nao,falls." + other + "=0.5").find("is not played with a table of falls"),
+              std::string::npos);
   EXPECT_EQ(error_of_models("nao,falls.table=off,falls.per_minute_walking=1"), "");
+  EXPECT_EQ(
+      error_of_models("nao,falls.table.alone.front=0.7,falls.table.alone.back=0.7"),
+      "models 'nao,falls.table.alone.front=0.7,falls.table.alone.back=0.7': falls.table.alone: front and back must "
+      "be at most 1 together, got 1.4");
 }
 
 TEST(Models, ATableOfFallsIsForAllRobotsOfATeam) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "tests/sim/motion/arena.h"
@@ -14,15 +15,22 @@ using Doing = Body::Doing;
 
 constexpr Toppling kToppling{.slope = 6, .half = {2, 2.2f, 2.4f, 2.6f, 3, 2.8f, 2.3f, 2.1f}};
 
-/// Returns a table whose classes differ only in how often their robots fall.
+constexpr GettingUp kStiffUp{
+    .lying = 1, .back = 4, .front = 6, .side = 5, .back_failure = 0.1f, .front_failure = 0.3f, .side_failure = 0.2f};
+constexpr GettingUp kSoftUp{
+    .lying = 2, .back = 7, .front = 9, .side = 8, .back_failure = 0, .front_failure = 0, .side_failure = 0};
+
+/// Returns a table whose classes differ in how often their robots fall, and in how they get up.
 FallTable table_of(float soft) {
   const ServoClass stiff{.rates = {.per_minute = {1, 2, 3, 4, 5, 6}, .shoved_standing = 7, .shoved_walking = 8},
                          .standing = kToppling,
-                         .walking = kToppling};
+                         .walking = kToppling,
+                         .getting_up = kStiffUp};
   return {.given = true,
           .collisions = {.mass = 5, .bounce = 0.2f, .soft = soft},
+          .alone = {.front = 0.5f, .back = 0.3f},
           .stiff = stiff,
-          .soft = {.rates = {}, .standing = kToppling, .walking = kToppling}};
+          .soft = {.rates = {}, .standing = kToppling, .walking = kToppling, .getting_up = kSoftUp}};
 }
 
 /// Returns the logarithm of the odds that this push [N s, robot] topples a robot.
@@ -155,6 +163,67 @@ TEST(FallTable, RobotsFallByThemselvesAtTheRateOfTheirManner) {
 TEST(FallTable, TheServosOfARobotStayTheSame) {
   // soft ones never fall by themselves here, so half of the robots fall sooner or later and the others never
   EXPECT_NEAR(share_fallen(walk_speed({}, 1), false, 0.5f, 120), 0.5f, 0.04f);
+}
+
+TEST(FallTable, ARobotLiesWhereItWasPushed) {
+  for (int degrees = -175; degrees <= 180; degrees += 10) {
+    const Lying expected = std::abs(degrees) < 45    ? Lying::on_front
+                           : std::abs(degrees) > 135 ? Lying::on_back
+                           : degrees > 0             ? Lying::on_left
+                                                     : Lying::on_right;
+    EXPECT_EQ(lying_after(direction(static_cast<float>(degrees) * kPi / 180)), expected) << degrees;
+    Arena arena = with_table(1);
+    topple({arena.model, arena.effects, arena.ball}, 100 * direction(static_cast<float>(degrees) * kPi / 180),
+           Arena::kRobot, arena.world);
+    ASSERT_EQ(arena.body().doing, Doing::fallen);
+    EXPECT_EQ(Lying{arena.body().kind}, expected) << degrees;
+  }
+}
+
+TEST(FallTable, FallsAloneEndOnTheSidesOfTheTable) {
+  std::array<int, kLyings> lie{};
+  for (int seed = 0; seed < kRobots; ++seed) {
+    Arena arena = with_table(static_cast<std::uint64_t>(seed));
+    arena.model.falls.table.stiff.rates.per_minute[0] = 600;
+    while (arena.body().doing != Doing::fallen) arena.move({});
+    ++lie[arena.body().kind];
+  }
+  const auto share = [&](Lying lying) { return static_cast<float>(lie[static_cast<std::size_t>(lying)]) / kRobots; };
+  EXPECT_NEAR(share(Lying::on_front), 0.5f, 0.04f);
+  EXPECT_NEAR(share(Lying::on_back), 0.3f, 0.04f);
+  EXPECT_NEAR(share(Lying::on_left), 0.1f, 0.03f);
+  EXPECT_NEAR(share(Lying::on_right), 0.1f, 0.03f);
+}
+
+TEST(FallTable, GettingUpTakesTheTimeOfItsSideAndFailsAsOften) {
+  for (const float soft : {0.f, 1.f})
+    for (const Lying lying : {Lying::on_back, Lying::on_front, Lying::on_left, Lying::on_right}) {
+      const GettingUp& up = soft > 0 ? kSoftUp : kStiffUp;
+      int failed = 0;
+      for (int seed = 0; seed < kRobots; ++seed) {
+        Arena arena = with_table(static_cast<std::uint64_t>(seed), soft);
+        arena.body().doing = Doing::fallen;
+        arena.body().kind = static_cast<std::uint8_t>(lying);
+        for (Tick tick = 0; tick < ticks(up.lying); ++tick) arena.move({});
+        ASSERT_EQ(arena.body().doing, Doing::getting_up);
+        ASSERT_EQ(arena.body().since, ticks(up.lying));
+        for (Tick tick = 0; tick + 1 < ticks(up.seconds(lying)); ++tick) arena.move({});
+        ASSERT_EQ(arena.body().doing, Doing::getting_up);
+        arena.move({});
+        ASSERT_NE(arena.body().doing, Doing::getting_up);
+        failed += arena.body().doing == Doing::fallen ? 1 : 0;
+        ASSERT_EQ(Lying{arena.body().kind}, lying);
+      }
+      EXPECT_NEAR(static_cast<float>(failed) / kRobots, up.failure(lying), 0.04f);
+    }
+}
+
+TEST(FallTable, TheUsualTimeIsTheMeanOfSidesAndServos) {
+  // stiff: 1 + 0.5 * 6 + 0.3 * 4 + 0.2 * 5; soft: 2 + 0.5 * 9 + 0.3 * 7 + 0.2 * 8
+  EXPECT_NEAR(table_of(0).usual_time(), 6.2f, 1e-5f);
+  EXPECT_NEAR(table_of(1).usual_time(), 10.2f, 1e-5f);
+  EXPECT_NEAR(table_of(0.25f).usual_time(), 7.2f, 1e-5f);
+  EXPECT_EQ((Falls{.lying = 1, .getting_up = 2.5f}).usual_time(), 3.5f);
 }
 
 }  // namespace

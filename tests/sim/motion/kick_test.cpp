@@ -223,7 +223,7 @@ TEST(Kick, CannotBeInterrupted) {
   for (const Command& command : {Command{}, walk_speed({0.2f, 0}, 1), kick_command(1, false)}) {
     arena.move(command, 10);
     EXPECT_EQ(arena.body().doing, Doing::kicking);
-    EXPECT_EQ(arena.body().kick, 0);
+    EXPECT_EQ(arena.body().kind, 0);
     EXPECT_TRUE(arena.body().kick_left);
     EXPECT_EQ(arena.body().since, begun.since);
     EXPECT_EQ(arena.body().position, begun.position);

@@ -29,7 +29,7 @@ State scrambled(std::uint64_t seed) {
   world.home_attacks = world.home_attacks > 0 ? 1.f : -1.f;
   world.touched = world.kicked = world.whiffed = state.book.last_toucher = state.book.kick_off_by = kNobody;
   for (int i = 0; i < kMaxRobots; ++i)
-    world.bodies[i].kick = state.robots[i].command.kick = state.robots[i].mind.kick = 0;
+    world.bodies[i].kind = state.robots[i].command.kick = state.robots[i].mind.kick = 0;
   return state;
 }
 
