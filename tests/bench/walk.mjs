@@ -22,9 +22,9 @@ const medianOf = (values) => quantile(values, 0.5);
 const sum = (found, figure) => kClasses.reduce((all, name) => all + found[name][figure], 0);
 
 /** Plays a case with this share of the robots, on seeds of its own. */
-async function played(name, robots, seeds) {
-  const found = await start("bench_walk", [name, kFirstSeed + seeds, Math.max(1, Math.ceil(robots))]).report;
-  console.log(`   ${name}: ${sum(found, "falls")} falls in ${sum(found, "trials")} trials`);
+async function played(name, robots, seeds, ...words) {
+  const found = await start("bench_walk", [name, kFirstSeed + seeds, Math.max(1, Math.ceil(robots)), ...words]).report;
+  console.log(`   ${[name, ...words].join(" ")}: ${sum(found, "falls")} falls in ${sum(found, "trials")} trials`);
   return found;
 }
 
@@ -156,6 +156,50 @@ async function pushes(report, robots) {
     }
 }
 
+const kVariants = ["walk", "without learned course", "without lag lead", "open loop"];
+const kHardPushes = ["push 1.8 walking", "push 2.4 walking", "push 3.0 walking"];
+
+/** Does another physics engine judge in the same way? The walk was tuned in MuJoCo alone. */
+async function secondEngine(report, robots) {
+  const inBoth = async (name, share) => {
+    const [first, second] = [
+      await played(name, robots * share, 110_000),
+      await played(name, robots * share, 110_000, "engine=ode"),
+    ];
+    const rates = [first, second].map((found) => sum(found, "falls") / sum(found, "minutes"));
+    const intervals = [first, second].map((found) =>
+      poissonInterval(sum(found, "falls")).map((count) => count / sum(found, "minutes")),
+    );
+    return { name, first, second, rates, intervals };
+  };
+  const all = [];
+  for (const name of kVariants) all.push(await inBoth(name, name === "walk" ? 0.4 : 0.2));
+  for (const name of kHardPushes) all.push(await inBoth(name, 0.1));
+
+  const [walk] = all;
+  tellFalls(report, "ODE, 0.20 m/s", walk.second);
+  for (const one of kClasses)
+    report.figure(
+      `ODE, ${one}: speed achieved, of that in MuJoCo`,
+      percent(medianOf(walk.second[one].forward) / medianOf(walk.first[one].forward)),
+      "%",
+    );
+  for (const { name, second } of all.slice(kVariants.length))
+    report.figure(`ODE, ${name}: upright`, percent(1 - sum(second, "falls") / sum(second, "trials")), "%");
+
+  // pairs that MuJoCo tells apart
+  let [pairs, agreed] = [0, 0];
+  for (const worse of all)
+    for (const better of all) {
+      if (worse.intervals[0][0] <= better.intervals[0][1]) continue;
+      pairs += 1;
+      agreed += worse.rates[1] > better.rates[1];
+      if (worse.rates[1] <= better.rates[1]) console.log(`   ODE: ${worse.name} is no worse than ${better.name}`);
+    }
+  report.figure("ODE: pairs of cases that MuJoCo tells apart", pairs, "");
+  report.figure("ODE: of them in the same order", agreed, "", { exactly: pairs });
+}
+
 /** Small pushes with each step of another robot, from one side. */
 async function shoves(report, robots) {
   for (const state of ["walking", "standing"]) {
@@ -221,6 +265,7 @@ export async function walk({ choices: robots = kRobots }) {
   await otherCommands(report, robots);
   await pushes(report, robots);
   await shoves(report, robots);
+  await secondEngine(report, robots);
   await games(report);
   await kicks(report, robots);
   await gettingUp(report, robots / 3);

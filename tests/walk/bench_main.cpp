@@ -1,7 +1,7 @@
 // bench_walk CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...]: lets drawn robots of both servo classes walk, be pushed or
 // stop, and prints one line of JSON. CASE "falls" prints the table that foresight-sim plays with --falls; "getting up" lets
-// robots lie and get up. LIBRARY has another walk (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours. Falls
-// are those of robots nobody tuned on, if no one has used the seeds before.
+// robots lie and get up. LIBRARY has another walk (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours, and
+// engine=ode plays the case in the second engine. Falls are those of robots nobody tuned on, if no one has used the seeds before.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -151,8 +151,9 @@ int refuse(const std::string& sentence) {
 std::string usage(const std::string& got) {
   std::string names;
   for (const auto& [name, one] : cases()) names.append(names.empty() ? "" : ", ").append(name);
-  return "expected CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...], or cost; cases are falls, getting up, " + names +
-         "; got '" + got + "'";
+  return "expected CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...] [engine=ode], or cost; cases are falls, getting "
+         "up, " +
+         names + "; got '" + got + "'";
 }
 
 /// Changes parameters by words such as "lift=0.02".
@@ -170,6 +171,16 @@ robot::Result<void> change(Parameters& parameters, std::span<char*> words) {
   return {};
 }
 
+/// Lets the case be played in the second engine.
+robot::Result<void> play_in_ode(Case* one) {
+  if (!one || one->ball || one->turf > 0)
+    return robot::Error{"expected a case on flat ground without a ball for engine=ode, got another one"};
+  if (!ode_engine({}))
+    return robot::Error{"expected a build with the package libode-dev for engine=ode, got one without"};
+  one->ode = true;
+  return {};
+}
+
 /// Returns the table of falls. The classes of our own walk are played at once. Another walk may share what it keeps between
 /// its gaits, so its calls come from one thread.
 robot::Result<std::string> table_of(const Tested& tested, const Origin& origin) {
@@ -184,15 +195,15 @@ robot::Result<std::string> table_of(const Tested& tested, const Origin& origin) 
   return fall_table(origin, {std::move(*first), std::move(*second)});
 }
 
-/// Plays the case and prints what it found.
-int print(const std::string& name, const Tested& tested, const Origin& origin) {
-  if (name == "falls") {
+/// Plays the case and prints what it found; without a case, the table of falls.
+int print(const Case* one, const Tested& tested, const Origin& origin) {
+  if (!one) {
     const auto table = table_of(tested, origin);
     if (!table) return refuse(table.error());
     std::fputs(table->c_str(), stdout);
     return 0;
   }
-  const Json all = played(cases().at(name), tested, origin.first_seed, origin.robots);
+  const Json all = played(*one, tested, origin.first_seed, origin.robots);
   if (all.is_null()) return refuse(origin.walk + ": expected a walk from foresight_walk_begin, got none");
   std::printf("%s\n", all.dump().c_str());
   return 0;
@@ -213,6 +224,12 @@ int main(int count, char** words) {
     return 0;
   }
   if ((found == cases().end() && name != "falls") || robots < 1) return refuse(usage(name));
+  Case copy = found == cases().end() ? Case{} : found->second;
+  Case* const one = found == cases().end() ? nullptr : &copy;
+  if (count > 4 && std::string_view(words[count - 1]) == "engine=ode") {
+    if (const auto possible = play_in_ode(one); !possible) return refuse(possible.error());
+    --count;
+  }
   Origin origin{.walk = "ours",
                 .parameters = "",
                 .build = std::string(robot::app::kBuildId),
@@ -220,13 +237,13 @@ int main(int count, char** words) {
                 .robots = robots};
   const bool is_library = count == 5 && std::string_view(words[4]).find('=') == std::string_view::npos;
   if (!is_library) {
-    Parameters parameters = found == cases().end() ? Parameters{} : found->second.parameters;
+    Parameters parameters = copy.parameters;
     if (const auto changed = change(parameters, {words + 4, words + count}); !changed) return refuse(changed.error());
     origin.parameters = hash_of(parameters);
-    return print(name, ours(parameters), origin);
+    return print(one, ours(parameters), origin);
   }
   const auto library = ForeignWalk::load(words[4]);
   if (!library) return refuse(library.error());
   origin.walk = words[4];
-  return print(name, theirs(*library), origin);
+  return print(one, theirs(*library), origin);
 }

@@ -135,8 +135,8 @@ bool play(const Case& one, const Tested& tested, Servos servos, std::uint64_t fi
           const std::function<void(const Outcome& outcome, const Plan& plan, int repetition)>& see) {
   std::array<std::unique_ptr<Physics>, 2> physics;  // by the reading of the inertias
   for (const bool about_origin : {false, true})
-    physics[about_origin] =
-        std::make_unique<Physics>(Scene{.turf = one.turf > 0, .ball = one.ball, .about_origin = about_origin});
+    physics[about_origin] = std::make_unique<Physics>(
+        Scene{.turf = one.turf > 0, .ball = one.ball, .about_origin = about_origin, .ode = one.ode});
   for (int i = 0; i < robots; ++i) {
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
     DrawnRobot robot = draw_robot(seed, servos, one.wider);

@@ -23,6 +23,7 @@ struct Case {
   double delay = 0;     // [s] more
   double wider = 1;
   bool ball = false;
+  bool ode = false;  // in the second engine
   Parameters parameters = {};
 };
 

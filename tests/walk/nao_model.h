@@ -12,6 +12,7 @@ struct Scene {
   /// Two readings of the published inertias: about the centre of mass of each link, or about its origin. Sources
   /// disagree (facts about the Nao's model), so each robot has one of both.
   bool about_origin = false;
+  bool ode = false;   // in the second engine (engine.h)
   bool arms = false;  // the arms move, and all limbs touch the ground, as a robot that lies there needs it
 };
 

@@ -1,4 +1,4 @@
-// One robot in MuJoCo, from the targets of its joints to its sensors.
+// One simulated robot, from the targets of its joints to its sensors.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,8 @@
 #include "robot/nao/walk/sensors.h"
 #include "tests/walk/dice.h"
 #include "tests/walk/drawn_robot.h"
+#include "tests/walk/engine.h"
 #include "tests/walk/nao_model.h"
-
-struct mjModel_;
-struct mjData_;
 
 namespace robot::nao::walk {
 
@@ -29,7 +27,6 @@ struct Truth {
 
 /// The joints of an arm, from the shoulder to the hand.
 enum ArmJoint { shoulder_pitch, shoulder_roll, elbow_yaw, elbow_roll };
-inline constexpr int kArmJoints = 4;
 
 /// The angles of both arms, by Side and ArmJoint [rad].
 using Arms = std::array<std::array<double, kArmJoints>, 2>;
@@ -38,10 +35,10 @@ using Arms = std::array<std::array<double, kArmJoints>, 2>;
 /// scene. Used by one thread.
 class Physics {
  public:
-  static constexpr double kStep = 0.002;  // [s]
+  static constexpr double kStep = Engine::kStep;  // [s]
 
+  /// Of a scene of MuJoCo, unless it wants the other engine.
   explicit Physics(const Scene& scene);
-  ~Physics();
 
   /// Puts the robot on its feet with these angles of the limbs. `hip_height` [m] is that of the hip above the soles.
   /// `seed` settles the noise of its sensors, and the ground.
@@ -67,23 +64,17 @@ class Physics {
   void place_ball(double ahead, double left, double speed = 0);
 
  private:
-  void slow_ball();
-  double torque(double error, double speed, double stiffness, double share, double most, double fastest) const;
-
   struct Target {
     double time = 0;
-    Legs legs{};
+    PerMotor angles{};
     double stiffness = 1;
-    Arms arms{};
   };
 
-  std::unique_ptr<mjModel_, void (*)(mjModel_*)> model_;
-  std::unique_ptr<mjData_, void (*)(mjData_*)> data_;
-  std::array<std::array<int, kLegJoints>, 2> position_{}, speed_{};          // addresses of the joints in qpos and qvel
-  std::array<std::array<int, kArmJoints>, 2> arm_position_{}, arm_speed_{};  // likewise, with arms
-  bool has_arms_ = false;
-  int torso_ = 0, ball_ = -1;  // bodies
+  double torque(std::size_t motor) const;
+
+  std::unique_ptr<Engine> engine_;
   DrawnRobot robot_;
+  PerMotor offset_{};  // [rad] of the joints' sensors
   Dice dice_{0};
   std::deque<Target> queue_;
   Target target_;

@@ -20,35 +20,6 @@ TEST(Physics, TheModelWeighsWhatANaoWeighs) {
   }
 }
 
-TEST(Physics, AStandingRobotCarriesItsWeightOnBothFeet) {
-  Physics physics({});
-  const DrawnRobot robot{.load_gain = {1, 1, 1, 1, 1, 1, 1, 1}};
-  physics.reset(robot, 1, stand(), Parameters{}.hip_height);
-  physics.command(stand());
-  for (int i = 0; i < 1000; ++i) physics.step(0, 0);
-  const Sensors sensors = physics.sense();
-  EXPECT_NEAR(sensors.load_of(left) + sensors.load_of(right), 5.305, 0.5);
-  EXPECT_NEAR(sensors.load_of(left), sensors.load_of(right), 0.3);
-  EXPECT_NEAR(sensors.roll, 0, 0.03);
-  EXPECT_GT(physics.truth().upright, 0.99);
-}
-
-TEST(Physics, ATargetTakesEffectAfterTheDelay) {
-  Physics physics({});
-  const DrawnRobot robot{.delay = 0.02, .load_gain = {1, 1, 1, 1, 1, 1, 1, 1}};
-  Legs legs = stand();
-  physics.reset(robot, 1, legs, Parameters{}.hip_height);
-  const double before = physics.sense().joints[left][knee_pitch];
-  legs[left][knee_pitch] += 0.3;
-  physics.command(legs);
-  const auto wait = [&](double seconds) {
-    for (int i = 0; i < std::lround(seconds / Physics::kStep); ++i) physics.step(0, 0);
-    return physics.sense().joints[left][knee_pitch] - before;
-  };
-  EXPECT_LT(std::abs(wait(0.018)), 0.02);
-  EXPECT_GT(wait(0.15), 0.05);
-}
-
 TEST(Physics, ARollingBallComesToRestWhereTheCarpetsDecelerationLetsIt) {
   Physics physics(Scene{.ball = true});
   physics.reset(draw_robot(1, Servos::stiff), 1, stand(), Parameters{}.hip_height);
@@ -58,20 +29,6 @@ TEST(Physics, ARollingBallComesToRestWhereTheCarpetsDecelerationLetsIt) {
   const Truth end = physics.truth();
   EXPECT_NEAR(std::hypot(end.ball_x - start.ball_x, end.ball_y - start.ball_y), 0.6 * 0.6 / (2 * 0.3), 0.05);
   EXPECT_LT(end.ball_speed, 0.02);
-}
-
-TEST(Physics, TheSameSeedGivesTheSameCourse) {
-  Physics physics({});
-  const DrawnRobot robot = draw_robot(3, Servos::soft);
-  const auto course = [&] {
-    OurGait gait;
-    return run(physics, gait, robot, 3, stand(), Parameters{}.hip_height,
-               {.duration = 3, .command = [](double) { return Command{.forward = 0.2}; }});
-  };
-  const Outcome first = course(), second = course();
-  EXPECT_EQ(first.forward, second.forward);
-  EXPECT_EQ(first.left, second.left);
-  EXPECT_EQ(first.path, second.path);
 }
 
 TEST(Physics, DrawnRobotsDifferAndStayInTheirRanges) {

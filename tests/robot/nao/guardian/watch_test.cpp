@@ -88,17 +88,17 @@ TEST_F(NaoWatch, ReportsALowBatteryUnlessItIsCharged) {
 }
 
 TEST_F(NaoWatch, IsStillOnlyAfterHalfASecondWithoutATurn) {
-  see(0.4);
+  see(0.4f);
   EXPECT_FALSE(watch.still());
-  see(0.2);
+  see(0.2f);
   EXPECT_TRUE(watch.still());
   body.sensors.gyroscope = {0, 0, -0.4f};
   see();
   EXPECT_FALSE(watch.still()) << "at once";
   body.sensors.gyroscope = {0, 0, -0.2f};
-  see(0.4);
+  see(0.4f);
   EXPECT_FALSE(watch.still());
-  see(0.2);
+  see(0.2f);
   EXPECT_TRUE(watch.still());
 }
 
