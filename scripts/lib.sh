@@ -50,6 +50,9 @@ check_port() {
 # needs COMMAND PURPOSE: ends with a sentence if the command is missing.
 needs() { command -v "$1" >/dev/null || die "$1 is missing, $2: install it"; }
 
+# Ends with a sentence if ODE is missing.
+needs_ode() { [[ -e /usr/include/ode/ode.h ]] || die "ODE is missing, the second engine for the walk: install libode-dev"; }
+
 # Ends with a sentence if MuJoCo is missing.
 needs_mujoco() { [[ -e /usr/include/mujoco/mujoco.h ]] || die "MuJoCo is missing, the physics for the walk: install libmujoco-dev"; }
 

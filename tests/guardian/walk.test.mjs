@@ -1,7 +1,7 @@
 // The body `nao` on a robot in a physics engine: the real runtime, guardian and walk; only LoLA's end is MuJoCo.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
-import { createReadStream, existsSync } from "node:fs";
+import { createReadStream, createWriteStream, existsSync } from "node:fs";
 import { join as pathOf } from "node:path";
 import { describe, test } from "node:test";
 import { fileURLToPath } from "node:url";
@@ -17,11 +17,15 @@ const kLab = fileURLToPath(new URL("../walk/lab.py", import.meta.url));
 
 /** Starts the controls of scripts/walk-lab. */
 function control(t, world, door, ...robot) {
-  const pipe = pathOf(world.folder, "lines");
-  execFileSync("mkfifo", [pipe]);
-  const child = spawn("python3", [kLab, pipe, ...robot], { env: { ...process.env, FORESIGHT_DOOR: door }, stdio: "pipe" });
+  const [lines, states] = ["lines", "states"].map((name) => pathOf(world.folder, name));
+  execFileSync("mkfifo", [lines, states]);
+  const child = spawn("python3", [kLab, lines, states, ...robot], {
+    env: { ...process.env, FORESIGHT_DOOR: door },
+    stdio: "pipe",
+  });
   child.stderr.pipe(process.stderr);
-  createReadStream(pipe).pipe(world.robot.stdin, { end: false });
+  createReadStream(lines).pipe(world.robot.stdin, { end: false });
+  world.robot.stdout.pipe(createWriteStream(states).on("error", () => {})); // the lab may have ended
   atEnd(t, () => child.kill("SIGKILL"));
   return child;
 }
@@ -65,7 +69,7 @@ describe("a robot in the physics", { skip }, () => {
     await world.startGuardian();
     const { server, live, newest, door } = await join(t, world, ["motion_status", "body"]);
     const lab = control(t, world, door, "stiff", "1");
-    await live.until(() => newest("body").mode === "MODE_PLAYING", "the lab has pressed the chest button");
+    await live.until(() => newest("body")?.mode === "MODE_PLAYING", "the lab has pressed the chest button");
     await world.until((state) => state.upright && state.stiffness > 0.5, "it stands");
 
     const { page, problems } = await open(t, `${server.http}/#/14/2/parameters`);
@@ -88,6 +92,23 @@ describe("a robot in the physics", { skip }, () => {
     lab.stdin.write("x");
     await until(() => lab.exitCode === 0, "x ends the lab");
     assert.equal(world.robot.errors, "");
+    assert.deepEqual(problems, []);
+  });
+
+  test("walks to the ball by a strategy, and people see both on the field", async (t) => {
+    const world = new World(t);
+    await world.startRobot("lab_robot", "stiff");
+    await world.startGuardian();
+    const objects = ["motion_status", "body", "pose", "ball", "decision"];
+    const words = ["--behaviour", "baseline", "--practice"];
+    const { server, live, newest, door } = await join(t, world, objects, ...words);
+    control(t, world, door, "stiff", "1", "--play");
+    const { page, problems } = await open(t, `${server.http}/#/14/2/field`);
+    await live.until(() => newest("body")?.mode === "MODE_PLAYING", "the lab has pressed the chest button");
+    await live.until(() => Math.hypot(newest("ball")?.x, newest("ball")?.y) < 0.45, "it walks to the ball");
+    assert.ok(Math.hypot(newest("pose").x, newest("pose").y) > 0.1);
+    assert.equal(newest("decision").role, "chaser");
+    await shoot(page, "walk-lab-play");
     assert.deepEqual(problems, []);
   });
 });

@@ -7,7 +7,14 @@ import { atEnd, bin, temporaryFolder, until, within } from "../e2e/support.mjs";
 /** Starts a program and keeps the lines that it prints. It ends with the test. */
 function launch(t, program, ...args) {
   const child = spawn(join(bin, program), args, { stdio: ["pipe", "pipe", "pipe"] });
-  const process = { pid: child.pid, lines: [], errors: "", kill: (signal) => child.kill(signal), stdin: child.stdin };
+  const process = {
+    pid: child.pid,
+    stdout: child.stdout,
+    lines: [],
+    errors: "",
+    kill: (signal) => child.kill(signal),
+    stdin: child.stdin,
+  };
   child.stdin.on("error", () => {}); // it may have ended already
   createInterface({ input: child.stdout }).on("line", (line) => process.lines.push(line));
   child.stderr.on("data", (bytes) => (process.errors += bytes));

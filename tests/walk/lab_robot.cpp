@@ -6,7 +6,10 @@
 //   again [SERVOS [SEED]]  puts another robot on its feet: stiff or soft
 //   friction X             of soles and ground, 0: as drawn; turf MM: bumps; both with the robot put up again
 //   chest, head, release   presses the chest button or the head, or lets go
-//   state                  prints {"servos", "turf", "upright", "x", "y", "heading", "stiffness", "knee", "chest", "frames"}
+//   ball AHEAD LEFT        puts the ball there [m, robot]
+//   state                  prints {"servos", "turf", "upright", "x", "y", "heading", "ball_away", "ball_towards", "ball_speed",
+//                          "ball_direction", "stiffness", "knee", "chest", "frames"}: x, y and heading in the world, in whose
+//                          origin the robot starts; of the ball the angles from the robot's front; [m], [rad], [m/s]
 //   end
 #include <poll.h>
 #include <sys/socket.h>
@@ -15,6 +18,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -51,7 +55,7 @@ struct Choice {
     walk::DrawnRobot robot = walk::draw_robot(seed, servos);
     robot.friction = friction.value_or(robot.friction);
     robot.turf = turf;
-    return std::make_unique<LolaBody>(robot, seed, false, true);
+    return std::make_unique<LolaBody>(robot, seed, true, true);
   }
 };
 
@@ -135,17 +139,24 @@ class LabRobot {
     } else if (word == "turf" && words >> first) {
       choice_.turf = first / 1000;
       put_up();
+    } else if (word == "ball" && words >> first >> second) {
+      body_->place_ball(first, second);
     } else if (word == "chest" || word == "head" || word == "release") {
       body_->sensors.touch[0] = word == "chest" ? 1 : 0;
       for (const std::size_t head : {1, 2, 3}) body_->sensors.touch[head] = word == "head" ? 1 : 0;
     } else if (word == "state") {
       const walk::Truth truth = body_->truth();
+      const double x = truth.ball_x - truth.x, y = truth.ball_y - truth.y;
       const json state = {{"servos", choice_.servos == walk::Servos::soft ? "soft" : "stiff"},
                           {"turf", 1000 * choice_.turf},
                           {"upright", body_->upright()},
                           {"x", truth.x},
                           {"y", truth.y},
                           {"heading", truth.heading},
+                          {"ball_away", std::hypot(x, y)},
+                          {"ball_towards", std::remainder(std::atan2(y, x) - truth.heading, 2 * std::numbers::pi)},
+                          {"ball_speed", truth.ball_speed},
+                          {"ball_direction", truth.ball_direction},
                           {"stiffness", body_->sensors.stiffness[l_knee_pitch]},
                           {"knee", body_->sensors.position[l_knee_pitch]},
                           {"chest", answer_.lights.chest},
