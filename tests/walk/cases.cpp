@@ -99,6 +99,7 @@ const std::map<std::string, Case>& cases() {
       {"turning", constant({.turn = 0.8}, 20)},
       {"game", {.plan = [](std::uint64_t seed, int) { return game_like(seed, 60); }}},
       {"half", {.plan = [](std::uint64_t seed, int) { return game_like(seed, 600); }}},
+      {"half, warming", {.plan = [](std::uint64_t seed, int) { return game_like(seed, 600); }, .warms = 600}},
       {"stop", {.plan = [=](std::uint64_t, int) { return stopping(ahead); }}},
       {"push 1.2 walking", pushes(1.2, slow)},
       {"push 1.2 standing", pushes(1.2, {})},
@@ -140,7 +141,7 @@ bool play(const Case& one, const Tested& tested, Servos servos, std::uint64_t fi
   for (int i = 0; i < robots; ++i) {
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
     DrawnRobot robot = draw_robot(seed, servos, one.wider);
-    robot.turf = one.turf, robot.delay += one.delay;
+    robot.turf = one.turf, robot.delay += one.delay, robot.warms = one.warms;
     for (int repetition = 0; repetition < one.repetitions; ++repetition) {
       const std::unique_ptr<Gait> gait = tested.begin();
       if (!gait) return false;

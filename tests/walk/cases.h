@@ -22,6 +22,7 @@ struct Case {
   double turf = 0;      // [m]
   double delay = 0;     // [s] more
   double wider = 1;
+  double warms = 0;  // [s] DrawnRobot::warms
   bool ball = false;
   bool ode = false;  // in the second engine
   Parameters parameters = {};

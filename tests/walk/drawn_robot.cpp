@@ -16,7 +16,7 @@ DrawnRobot draw_robot(std::uint64_t seed, Servos servos, double wider) {
   robot.servos = servos;
   if (servos == Servos::soft) {
     robot.gain = range(18, 25), robot.damping = range(0.8, 1.2), robot.armature = range(0.03, 0.05);
-    robot.torque = 0.56;
+    robot.torque = kSoftTorque;
   } else {
     robot.gain = range(45, 90), robot.damping = range(0.6, 1.4), robot.armature = range(0.008, 0.02);
     robot.torque = range(0.8, 1);

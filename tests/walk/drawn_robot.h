@@ -16,6 +16,7 @@ struct DrawnRobot {
   double damping = 1;                             // [N m s/rad] of the joints
   double armature = 0.01;                         // [kg m²]
   double torque = 1;                              // share of the motors' torque
+  double warms = 0;                               // [s] until its servos are as weak as soft ones; 0: they stay cold
   double play = 0;                                // [rad] of the joints
   double friction = 0.8;                          // of soles and ground
   double softness = 0.01;                         // [s] time constant of contacts
@@ -29,6 +30,9 @@ struct DrawnRobot {
   double roll_bias = 0, pitch_bias = 0;           // [rad]
   std::array<double, 8> load_gain{};              // of the foot sensors; 0: dead
 };
+
+inline constexpr double kSoftTorque = 0.56;  // share of the motors' torque of soft servos, as HULKs measured
+inline constexpr double kSoftGain = 21.5;    // [N m/rad] in the middle of theirs
 
 /// Returns the robot of this seed. `wider` is the factor of all ranges: 1, or 1.2 for the check beyond them.
 DrawnRobot draw_robot(std::uint64_t seed, Servos servos, double wider = 1);

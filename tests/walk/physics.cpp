@@ -88,9 +88,11 @@ double Physics::torque(std::size_t motor) const {
   double error = target_.angles[motor] - offset_[motor] - angle;
   const double half = robot_.play / 2;
   error -= std::clamp(error, -half, half);
-  const double wanted = target_.stiffness * (arm ? kArmShare : 1) * robot_.gain * error;
+  const double warmth = robot_.warms > 0 ? std::min(1.0, now() / robot_.warms) : 0;
+  const double gain = robot_.gain + warmth * std::min(0.0, kSoftGain - robot_.gain);
+  const double wanted = target_.stiffness * (arm ? kArmShare : 1) * gain * error;
   const double left_over = std::clamp(1 - std::copysign(1.0, wanted) * speed / fastest, 0.0, 1.0);
-  const double limit = most * robot_.torque * left_over;
+  const double limit = most * (robot_.torque + warmth * std::min(0.0, kSoftTorque - robot_.torque)) * left_over;
   return std::clamp(wanted, -limit, limit);
 }
 

@@ -31,6 +31,21 @@ TEST(Physics, ARollingBallComesToRestWhereTheCarpetsDecelerationLetsIt) {
   EXPECT_LT(end.ball_speed, 0.02);
 }
 
+TEST(Physics, AServoThatHasWarmedUpIsAsWeakAsASoftOne) {
+  const auto sag = [](const DrawnRobot& robot) {
+    Physics physics({});
+    physics.reset(robot, 1, stand(), Parameters{}.hip_height);
+    physics.command(stand());
+    for (int i = 0; i < 1500; ++i) physics.step(0, 0);
+    return std::abs(physics.sense().joints[left][knee_pitch] - stand()[left][knee_pitch]);
+  };
+  const DrawnRobot stiff{.gain = 60}, soft{.gain = kSoftGain, .torque = kSoftTorque};
+  DrawnRobot warm = stiff;
+  warm.warms = 1;
+  EXPECT_NEAR(sag(warm), sag(soft), 0.05 * sag(soft));
+  EXPECT_GT(sag(warm), 1.5 * sag(stiff));
+}
+
 TEST(Physics, DrawnRobotsDifferAndStayInTheirRanges) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const DrawnRobot stiff = draw_robot(seed, Servos::stiff), soft = draw_robot(seed, Servos::soft);
