@@ -35,7 +35,8 @@ void read_table(Reader& reader, const Json& object, const std::string& path, Fie
   reader.refuse_unknown(object, path, known);
   into.given = true;
   if (const float share = into.alone.front + into.alone.back; share > 1.001f)
-    reader.refuse(Reader::below(path, "alone") + ": front and back must be at most 1 together, got " + shown(share));
+    reader.refuse(Reader::below(path, "alone") + ": front and back must be at most 1 together, got " +
+                  short_text(share));
 }
 
 void read_named(Reader& reader, const std::string& name, const std::string& path, motion::FallTable& into) {

@@ -62,7 +62,7 @@ Result<net::ParameterRule> rule_of(const LiveParameter& announced) {
     if (std::isfinite(max)) rule.max = max;
   }
   if (announced.type() == LiveParameter::TYPE_BUTTON) rule.min = 0;
-  if (announced.type() == LiveParameter::TYPE_WHOLE || announced.type() == LiveParameter::TYPE_BUTTON) {
+  if (announced.type() == LiveParameter::TYPE_WHOLE) {
     rule.min = std::max(rule.min.value_or(-kLargestWhole), -kLargestWhole);
     rule.max = std::min(rule.max.value_or(kLargestWhole), kLargestWhole);
   }

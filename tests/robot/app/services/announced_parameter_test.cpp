@@ -80,7 +80,7 @@ TEST(AnnouncedParameter, AWrongOneIsRefusedWithASentence) {
             "parameter 'speed': expected values of its type, got others");
   EXPECT_NE(refusal(LiveParameter::TYPE_WHOLE, [](auto& p) { p.set_number(1e16); }), "");
   EXPECT_EQ(refusal(LiveParameter::TYPE_BUTTON, [](auto& p) { p.set_number(-1); }),
-            "parameter 'speed': expected 0 .. 9007199254740992, got -1");
+            "parameter 'speed': expected at least 0, got -1");
   EXPECT_NE(refusal(LiveParameter::TYPE_BUTTON, [](auto& p) { p.set_number(0.5); }), "");
   EXPECT_NE(refusal(LiveParameter::TYPE_YES_NO, [](auto& p) { p.set_number(2); }), "");
   EXPECT_EQ(refusal(LiveParameter::TYPE_TEXT, [](auto& p) { p.set_text(std::string(201, 'a')); }),
