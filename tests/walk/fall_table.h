@@ -39,7 +39,7 @@ struct Risen {
   double seconds = 0;  // of such an attempt: the median
 };
 
-/// What a robot is down on. The left and the right count together.
+/// The sides that a robot is down on. The left and the right count together.
 inline constexpr std::array kDownOn = {"back", "front", "side"};
 
 /// All trials of the robots of one class.

@@ -8,8 +8,8 @@
 //   chest, head, release   presses the chest button or the head, or lets go
 //   ball AHEAD LEFT        puts the ball there [m, robot]
 //   state                  prints {"servos", "turf", "upright", "x", "y", "heading", "ball_away", "ball_towards", "ball_speed",
-//                          "ball_direction", "stiffness", "knee", "chest", "frames"}: x, y and heading in the world, in whose
-//                          origin the robot starts; of the ball the angles from the robot's front; [m], [rad], [m/s]
+//                          "ball_direction", "stiffness", "knee", "chest", "frames"}. The robot starts at the world's origin.
+//                          The angles of the ball are from the robot's front. Units: m, rad, m/s.
 //   end
 #include <poll.h>
 #include <sys/socket.h>

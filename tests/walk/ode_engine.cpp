@@ -20,7 +20,7 @@ constexpr double kCouplingDamping = 2;  // [N m s/rad]
 constexpr double kDryFriction = 0.05;   // [N m] of a joint
 constexpr double kDrySpeed = 0.05;      // [rad/s] from which on it has its full strength
 constexpr double kCarried = 1.3;        // [kg] by one of four contacts
-constexpr double kImpedance = 12;  // stiffness and damping of a contact at rest, of those that its time constant tells
+constexpr double kImpedance = 12;  // a resting contact is so much stiffer than its time constant says, as in MuJoCo
 constexpr int kMostContacts = 8;   // of two shapes
 constexpr std::size_t kLeftHip = 0, kRightHip = kLegJoints;
 
