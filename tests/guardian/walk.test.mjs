@@ -81,6 +81,8 @@ describe("a robot in the physics", { skip }, () => {
     await live.until(() => newest("motion_status").fall === "FALL_FALLEN", "it lies");
     assert.equal(newest("motion_status").fall_side, "FALL_SIDE_FRONT");
     await shoot(page, "walk-lab");
+    // while it gets up by itself
+    await live.until(() => newest("body").doing === "DOING_GETTING_UP", "it gets up");
     await button("put up").click();
     await world.until((state) => state.upright && state.stiffness > 0.5, "it is on its feet again");
 

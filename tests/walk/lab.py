@@ -118,9 +118,9 @@ class Lab:
         self.pipe.write(line + "\n")
         self.pipe.flush()
 
-    def press(self, button):
+    def press(self, button, seconds=0.15):
         self.tell(button)
-        time.sleep(0.15)
+        time.sleep(seconds)
         self.tell("release")
         time.sleep(0.1)
 
@@ -132,6 +132,7 @@ class Lab:
     def put_up(self):
         robot = self.parameters
         self.put_up_at = math.inf
+        self.press("head", 0.4)  # soft, so that it plays no getting up to its end on its feet
         self.tell("friction %g" % robot["friction"])
         self.tell("turf %g" % robot["turf"])
         self.tell("again %s %d" % (robot["servos"], robot["seed"]))
