@@ -1,7 +1,8 @@
 // Tables of falls as JSON: sim/data/falls/*.json and what bench_walk makes of a walk.
 //
 // A table has the sections collisions, alone, stiff_rates, stiff_standing, stiff_walking, stiff_getting_up, and likewise
-// soft_…. A push to the front comes from behind. The entries about, made_by and counts tell where the figures come from; no game reads them.
+// soft_…. A push to the front comes from behind. The entries about, made_by and counts tell where the figures come from; no
+// game reads them.
 #pragma once
 
 #include "sim/io/reader.h"

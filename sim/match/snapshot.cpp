@@ -66,8 +66,7 @@ std::string lost_index(const State& state) {
   if (!is_robot(state.book.kick_off_by)) return "book.kick_off_by";
   for (int i = 0; i < kMaxRobots; ++i) {
     const std::string index = "[" + std::to_string(i) + "]";
-    const Body& body = world.bodies[i];
-    if (body.kind >= (lies(body) ? kLyings : motion::kMaxKicks)) return "world.bodies" + index + ".kind";
+    if (world.bodies[i].kind >= motion::kMaxKicks) return "world.bodies" + index + ".kind";
     if (state.robots[i].command.kick >= motion::kMaxKicks) return "robots" + index + ".command.kick";
     if (state.robots[i].mind.kick >= motion::kMaxKicks) return "robots" + index + ".mind.kick";
   }

@@ -11,9 +11,8 @@ namespace sim {
 /// The unit of Body::pushing: contacts are counted five times a second.
 inline constexpr Tick kPushingUnit = 6;  // [ticks]
 
-/// The side of a body that is down.
+/// The side of a body that is down; a number beyond these counts as a side.
 enum class Lying : std::uint8_t { on_back, on_front, on_left, on_right };
-inline constexpr int kLyings = 4;
 
 /// The true state of a body. Frame: field, but velocities are in the robot's own frame.
 struct Body {

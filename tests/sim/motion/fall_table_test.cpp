@@ -181,7 +181,7 @@ TEST(FallTable, ARobotLiesWhereItWasPushed) {
 }
 
 TEST(FallTable, FallsAloneEndOnTheSidesOfTheTable) {
-  std::array<int, kLyings> lie{};
+  std::array<int, 4> lie{};
   for (int seed = 0; seed < kRobots; ++seed) {
     Arena arena = with_table(static_cast<std::uint64_t>(seed));
     arena.model.falls.table.stiff.rates.per_minute[0] = 600;
