@@ -147,6 +147,11 @@ void Guardian::take_click(std::uint64_t now_ns) {
 
 void Guardian::heed_falls(std::uint64_t now_ns) {
   if (doing_ == Doing::fallen) {
+    // a roll ends where the weight of the robot brings it to rest
+    if (rolled_ && lies_still()) {
+      rolled_ = false;
+      if (lying(sensors_.angles) != Lying::on_back) ++attempts_;
+    }
     // a robot that broke off its getting up may be upright still, but its soft joints give way
     if (!watch_.upright_lasts() || now_ns - lies_since_ns_ < kSinksFor_ns) return;
     doing_ = Doing::soft;
@@ -181,11 +186,12 @@ void Guardian::start_getting_up() {
   start(Doing::getting_up, get_up(side), rolls_over_ ? 1 : kLonger[static_cast<std::size_t>(attempts_)]);
 }
 
-/// Ends the motion. A robot that has rolled over gets up next.
+/// Ends the motion. A robot that has rolled over gets up next, once it lies still.
 void Guardian::end_getting_up() {
-  if (rolls_over_ && lying(sensors_.angles) == Lying::on_back) {
+  if (rolls_over_) {
     lie();
-  } else if (rolls_over_ || !watch_.upright()) {
+    rolled_ = true;
+  } else if (!watch_.upright()) {
     end_attempt();
   } else {
     doing_ = Doing::standing;
@@ -201,7 +207,11 @@ void Guardian::end_attempt() {
 void Guardian::lie() {
   doing_ = Doing::fallen;
   lies_since_ns_ = last_ns_;
+  rolled_ = false;
 }
+
+/// Reports whether the robot lies still, long enough to get up.
+bool Guardian::lies_still() const { return watch_.still() && last_ns_ - lies_since_ns_ >= kLiesFor_ns; }
 
 /// Returns the action that the rules ask for, and sets the reason if it differs from the order.
 Guardian::Wish Guardian::wish(const Cycle& cycle) {
@@ -218,7 +228,7 @@ Guardian::Wish Guardian::wish_on_ground(Wish wish) {
   if (doing_ == Doing::getting_up) return wish == Wish::get_up ? wish : Wish::soft;
   const bool tired = attempts_ >= kAttempts;
   reason_ = tired ? Reason::stays_down : Reason::fell;
-  const bool ready = !watch_.upright() && watch_.still() && last_ns_ - lies_since_ns_ >= kLiesFor_ns;
+  const bool ready = !watch_.upright() && lies_still();
   return wish == Wish::get_up && !tired && ready ? wish : Wish::soft;
 }
 

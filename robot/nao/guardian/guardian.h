@@ -94,6 +94,7 @@ class Guardian {
   void start_getting_up();
   void end_getting_up();
   void end_attempt();
+  bool lies_still() const;
   void lie();
   Wish wish(const Cycle& cycle);
   Wish wish_on_ground(Wish wish);
@@ -130,6 +131,7 @@ class Guardian {
   bool ends_walk_ = false;    // the motion is the one of ends_walk()
   bool feet_missed_ = false;  // it sat down again because there was no weight on its feet
   bool rolls_over_ = false;   // the motion that gets it up ends on the back
+  bool rolled_ = false;       // that motion has ended, but the robot does not lie still yet
   int attempts_ = 0;          // to get up that failed since it was last upright
 
   std::uint64_t last_ns_ = 0, last_order_ns_ = 0, last_sensors_ns_ = 0, falls_since_ns_ = 0, lies_since_ns_ = 0;

@@ -506,6 +506,41 @@ TEST_F(NaoGuardianOnGround, RollsOverFirst) {
   EXPECT_GT(guardian.remaining(), 5);
 }
 
+TEST_F(NaoGuardianOnGround, ARollIsJudgedOnceItLiesStill) {
+  for (const bool succeeds : {true, false}) {
+    body.lie_on_front();
+    until_it_gets_up();
+    until(Doing::fallen);
+    EXPECT_EQ(guardian.failed_attempts(), 0) << "it may still roll on";
+    for (int i = 0; i < 100; ++i) {
+      body.sensors.gyroscope = {i % 2 == 0 ? 1.0f : -1.0f, 0, 0};
+      cycle();
+      ASSERT_EQ(guardian.failed_attempts(), 0);
+    }
+    body.sensors.gyroscope = {};
+    if (succeeds) body.lie_on_back();
+    until_it_gets_up();
+    EXPECT_EQ(guardian.failed_attempts(), succeeds ? 0 : 1);
+    EXPECT_EQ(guardian.remaining() > 5, succeeds) << "else it rolls again";
+    // restores the start for the next round
+    body = tests::FakeBody();
+    guardian = Guardian();
+    SetUp();
+  }
+}
+
+TEST_F(NaoGuardianOnGround, ARobotThatOnlyRollsGivesUpToo) {
+  body.lie_on_front();
+  int attempts = 0;
+  for (int i = 0; i < 10'000 && guardian.reason() != Reason::stays_down; ++i) {
+    const Doing before = guardian.doing();
+    cycle();
+    attempts += before == Doing::fallen && guardian.doing() == Doing::getting_up;
+  }
+  EXPECT_EQ(attempts, Guardian::kAttempts);
+  EXPECT_EQ(guardian.reason(), Reason::stays_down);
+}
+
 TEST_F(NaoGuardianOnGround, LiesSoftWithoutThatOrder) {
   for (const Order::Posture posture :
        {Order::Posture::stand, Order::Posture::sit, Order::Posture::freeze, Order::Posture::soft}) {
