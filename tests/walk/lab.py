@@ -183,7 +183,10 @@ class Lab:
         """Takes the states that lab_robot has printed, writes pose and ball, and asks for the next state."""
         now_ns = foresight.now_ns()
         while select.select([self.states], [], [], 0)[0]:
-            *lines, self.rest = (self.rest + os.read(self.states, 4096).decode()).split("\n")
+            text = os.read(self.states, 4096).decode()
+            if not text:
+                sys.exit("lab_robot has ended")
+            *lines, self.rest = (self.rest + text).split("\n")
             for state in (json.loads(line) for line in lines if "ball_away" in line):
                 self.pose.write(now_ns, pose_of(state))
                 ball = ball_of(state, self.ball.epoch_ns(now_ns))
@@ -217,18 +220,20 @@ def main():
                     if key in ("", "x"):
                         return
                     lab.obey_key(key)
-                    forward, left, turn = lab.speed
-                    if play:
-                        continue
-                    sys.stdout.write("\r%.2f m/s forward, %.2f left, %.0f deg/s   " % (forward, left, math.degrees(turn)))
-                    sys.stdout.flush()
+                    if not play:
+                        forward, left, turn = lab.speed
+                        print("\r%.2f m/s forward, %.2f left, %.0f deg/s   " % (forward, left, math.degrees(turn)), end="",
+                              flush=True)
                 lab.obey_viewer()
                 lab.see()
                 lab.command()
         finally:
             if terminal:
                 termios.tcsetattr(sys.stdin, termios.TCSADRAIN, terminal)
-            lab.tell("end")
+            try:
+                lab.tell("end")
+            except BrokenPipeError:
+                pass  # lab_robot has ended first
 
 
 try:
