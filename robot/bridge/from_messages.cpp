@@ -224,15 +224,10 @@ sim::Lying lying_of(pb::MotionStatus::FallSide side) {
 sim::Body body_of(const pb::MotionStatus& status, const sim::motion::Model& model, Tick now) {
   sim::Body body;
   body.since = now;
-  const auto lying = lying_of(status.fall_side());
-  if (status.fall() == pb::MotionStatus::FALL_FALLEN || status.fall() == pb::MotionStatus::FALL_FALLING) {
-    body.doing = Doing::fallen;
-    body.kind = static_cast<std::uint8_t>(lying);
-    return body;
-  }
-  if (status.fall() == pb::MotionStatus::FALL_GETTING_UP) {
-    body.doing = Doing::getting_up;
-    body.kind = static_cast<std::uint8_t>(lying);
+  const bool gets_up = status.fall() == pb::MotionStatus::FALL_GETTING_UP;
+  if (gets_up || status.fall() == pb::MotionStatus::FALL_FALLEN || status.fall() == pb::MotionStatus::FALL_FALLING) {
+    body.doing = gets_up ? Doing::getting_up : Doing::fallen;
+    body.kind = static_cast<std::uint8_t>(lying_of(status.fall_side()));
     return body;
   }
   for (int kick = 0; kick < model.kick_count; ++kick) {

@@ -455,7 +455,7 @@ export const proofs = [
     question:
       "Another robot shoves with each step, from one side: falls a minute, walking and standing. Falls of a robot in 100 games of 2025: at the rates of real games; by the table of our walk, of 7,520 trials",
     bar: "none",
-    seen: "0.12 (95 %: 0.03 to 0.32), 0 (to 0.12); 0.33 a minute; 0.048",
+    seen: "0.12 (95 %: 0.03 to 0.32), 0 (to 0.12); 0.33 a minute; 0.047",
     by: "walk",
   },
   {

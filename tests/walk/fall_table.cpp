@@ -8,6 +8,8 @@
 #include "robot/fit/math/least_squares.h"
 #include "robot/nao/walk/named_parameters.h"
 #include "sim/match/hash.h"
+#include "sim/math/vec2.h"
+#include "sim/motion/fall_table.h"
 #include "tests/walk/rise.h"
 
 namespace robot::nao::walk {
@@ -109,8 +111,11 @@ double median_of(std::vector<double> values) {
 
 /// Returns the place in kDownOn of a robot that falls in this direction [rad].
 std::size_t down_on(double direction) {
-  if (std::abs(std::cos(direction)) < std::abs(std::sin(direction))) return 2;
-  return std::cos(direction) < 0 ? 0 : 1;
+  switch (sim::motion::lying_after(sim::direction(static_cast<float>(direction)))) {
+    case sim::Lying::on_back: return 0;
+    case sim::Lying::on_front: return 1;
+    default: return 2;
+  }
 }
 
 /// Lets robots get up from each side. Returns the problem if there is one.

@@ -38,18 +38,17 @@ SURE, SURE_HEADING = 0.02, 0.02  # [m], [rad] deviations of what the lab knows
 PLAYERS, OWN = 5, 2
 
 
+def message(*values):
+    """Returns a message of (number, float) pairs."""
+    return b"".join(foresight.float_field(number, value) for number, value in values)
+
+
 def walk(speed):
-    inner = b"".join(foresight.float_field(i + 1, value) for i, value in enumerate(speed))
-    return foresight.bytes_field(1, inner)
+    return foresight.bytes_field(1, message(*enumerate(speed, 1)))
 
 
 def kick():
     return foresight.bytes_field(3, foresight.bytes_field(1, b"walk_forward") + foresight.uint_field(3, 1))
-
-
-def message(*values):
-    """Returns a message of (number, float) pairs."""
-    return b"".join(foresight.float_field(number, value) for number, value in values)
 
 
 def pose_of(state):

@@ -37,7 +37,7 @@ class Physics {
  public:
   static constexpr double kStep = Engine::kStep;  // [s]
 
-  /// Of a scene of MuJoCo, unless it wants the other engine.
+  /// The scene selects the engine: MuJoCo, or ODE.
   explicit Physics(const Scene& scene);
 
   /// Puts the robot on its feet with these angles of the limbs. `hip_height` [m] is that of the hip above the soles.
