@@ -60,7 +60,7 @@ describe("a robot in the physics", { skip }, () => {
     world.happen("push 9 0");
     await live.until(() => newest("motion_status").fall === "FALL_FALLEN", "it lies");
     await live.until(() => newest("motion_status").running === "get_up", "it gets up");
-    assert.equal(newest("body").doing, "DOING_GETTING_UP");
+    await live.until(() => newest("body").doing === "DOING_GETTING_UP", "the body says so, too");
   });
 
   test("is pushed, put up and changed by clicks in the viewer", async (t) => {
