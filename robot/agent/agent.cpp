@@ -62,6 +62,11 @@ Agent::Decision Agent::decide(bridge::Recollection recollection) {
       team.behaviour->decide({.rules = &game_.params.rules, .motion = &body}, knowledge->game, knowledge->beliefs,
                              knowledge->now, mind_, &trace);
   bridge::to_proto(command, body, decision.command);
+  if (decision.command.has_kick()) {
+    // the body walks to a ball that its foot does not reach yet
+    decision.command.mutable_kick()->set_ball_x(knowledge->beliefs.ball.position.x);
+    decision.command.mutable_kick()->set_ball_y(knowledge->beliefs.ball.position.y);
+  }
   if (*trace.skill != '\0') bridge::to_proto(trace, decision.trace.emplace());
   return decision;
 }

@@ -1,6 +1,6 @@
 // bench_walk CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...]: lets drawn robots of both servo classes walk, be pushed or
 // stop, and prints one line of JSON. CASE "falls" prints the table that foresight-sim plays with --falls; "getting up" lets
-// robots lie and get up. LIBRARY has another walk (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours, and
+// robots lie and get up; "play" lets a strategy bring the ball to the goal. LIBRARY has another walk (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours, and
 // engine=ode plays the case in the second engine. Falls are those of robots nobody tuned on, if no one has used the seeds before.
 #include <algorithm>
 #include <array>
@@ -22,6 +22,7 @@
 #include "tests/walk/fall_table.h"
 #include "tests/walk/foreign_walk.h"
 #include "tests/walk/our_gait.h"
+#include "tests/walk/play.h"
 #include "tests/walk/rise.h"
 
 namespace {
@@ -100,6 +101,32 @@ Json got_up(Servos servos, robot::nao::Lying side, std::uint64_t first_seed, int
   return {{"robots", robots}, {"first", first}, {"within_three", stood}, {"seconds", seconds}};
 }
 
+/// Calls see(servos) for both classes at once, and returns what it found by class.
+template <class See>
+Json by_class(const See& see) {
+  auto stiff = std::async(std::launch::async, see, Servos::stiff),
+       soft = std::async(std::launch::async, see, Servos::soft);
+  return {{"stiff", stiff.get()}, {"soft", soft.get()}};
+}
+
+/// Lets a strategy play alone, robot by robot: how many brought the ball into the goal and how many fell, the seconds of each
+/// goal, and the speed of the ball after each kick [m/s].
+Json playing(std::uint64_t first_seed, int robots) {
+  constexpr double kLongest = 60;  // [s]
+  return by_class([=](Servos servos) -> Json {
+    int goals = 0, falls = 0;
+    std::vector<double> seconds, kicks;
+    for (int i = 0; i < robots; ++i) {
+      const robot::nao::Played played =
+          robot::nao::play_alone(servos, first_seed + static_cast<std::uint64_t>(i), kLongest);
+      goals += played.scored, falls += played.fell;
+      if (played.scored) seconds.push_back(played.seconds);
+      kicks.insert(kicks.end(), played.kicks.begin(), played.kicks.end());
+    }
+    return {{"robots", robots}, {"goals", goals}, {"falls", falls}, {"seconds", seconds}, {"kicks", kicks}};
+  });
+}
+
 Json getting_up(std::uint64_t first_seed, int robots) {
   using robot::nao::Lying;
   Json all;
@@ -107,11 +134,7 @@ Json getting_up(std::uint64_t first_seed, int robots) {
                                    {"front", Lying::on_front},
                                    {"left", Lying::on_left},
                                    {"right", Lying::on_right}}) {
-    const auto class_of = [&, side = side](Servos servos) {
-      return std::async(std::launch::async, [=] { return got_up(servos, side, first_seed, robots); });
-    };
-    auto stiff = class_of(Servos::stiff), soft = class_of(Servos::soft);
-    all[name] = {{"stiff", stiff.get()}, {"soft", soft.get()}};
+    all[name] = by_class([=, side = side](Servos servos) { return got_up(servos, side, first_seed, robots); });
   }
   return all;
 }
@@ -152,7 +175,7 @@ std::string usage(const std::string& got) {
   std::string names;
   for (const auto& [name, one] : cases()) names.append(names.empty() ? "" : ", ").append(name);
   return "expected CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...] [engine=ode], or cost; cases are falls, getting "
-         "up, " +
+         "up, play, " +
          names + "; got '" + got + "'";
 }
 
@@ -221,6 +244,10 @@ int main(int count, char** words) {
   const int robots = count >= 4 ? std::atoi(words[3]) : 0;
   if (name == "getting up" && count == 4 && robots > 0) {
     std::printf("%s\n", getting_up(std::strtoull(words[2], nullptr, 10), robots).dump().c_str());
+    return 0;
+  }
+  if (name == "play" && count == 4 && robots > 0) {
+    std::printf("%s\n", playing(std::strtoull(words[2], nullptr, 10), robots).dump().c_str());
     return 0;
   }
   if ((found == cases().end() && name != "falls") || robots < 1) return refuse(usage(name));

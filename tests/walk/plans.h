@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "robot/nao/walk/parameters.h"
 #include "tests/walk/dice.h"
 #include "tests/walk/trial.h"
 
@@ -16,11 +17,12 @@ inline double drawn(std::uint64_t seed, std::uint64_t number) { return Dice(seed
 /// A kick while walking: the step, and the place of the ball before the kicking foot.
 struct PlannedKick {
   KickStep step = KickStep::forward;
-  double ball_ahead = 0.185;  // [m] from the torso
-  double ball_aside = 0.05;   // [m] to the side of the foot
+  double ball_ahead = Parameters{}.kick_reach;  // [m] from the torso, at most but for an error of 1.5 cm
+  double nearer = 0.05;      // [m] the ball may lie this much nearer: a robot waits for the step of its foot
+  double ball_aside = 0.06;  // [m] to the side of the foot
 };
 
-/// Returns the plan of a kick. The seed chooses the foot, and puts the ball beside its place by at most 15 mm.
+/// Returns the plan of a kick. The seed chooses the foot and the place of the ball.
 inline Plan kick_plan(const PlannedKick& kick, std::uint64_t seed) {
   constexpr double kError = 0.015;  // [m]
   const Side foot = seed % 2 == 0 ? left : right;
@@ -34,8 +36,8 @@ inline Plan kick_plan(const PlannedKick& kick, std::uint64_t seed) {
               },
           .pushes = {},
           .with_ball = true,
-          .ball_ahead = kick.ball_ahead + kError * (2 * drawn(seed, 1) - 1),
-          .ball_left = sign_of(foot) * (kick.ball_aside + kError * (2 * drawn(seed, 2) - 1))};
+          .ball_ahead = kick.ball_ahead - kick.nearer * drawn(seed, 3) + kError * (2 * drawn(seed, 1) - 1),
+          .ball_left = sign_of(foot) * (kick.ball_aside + 2 * kError * (2 * drawn(seed, 2) - 1))};
 }
 
 }  // namespace robot::nao::walk

@@ -12,6 +12,13 @@ namespace {
 constexpr float kLongestStep = 0.1f;  // [s] longest step of the head after a gap
 constexpr float kSideways = 0.6f;     // [rad] kicks in a direction farther off are not forward
 constexpr float kKickWaits = 1;       // [s] a kick that has found no step of its foot by then is given up
+constexpr float kKicksAgain = 0.5f;   // [s] after a kick that has ended and is still commanded: it has missed
+constexpr double kKickSpeed = 0.1;    // [m/s] it walks into the ball: a kick on the spot is weaker and shorter
+constexpr double kBallAside = 0.06;   // [m] of the ball before its foot
+constexpr double kBesideFoot = 0.05;  // [m] a ball farther aside is not in front of the foot
+constexpr double kNearest = 0.05;     // [m] from the robot to a ball that is still before the feet
+constexpr double kSlowest = 0.04;     // [m/s] a slower step does not kick
+constexpr double kSidesteps = 1.5;    // [1/s] speed per distance
 constexpr float kArrived = 0.03f;     // [rad] largest error of a head that has arrived
 
 float towards(float from, float to, float step) { return from + clamp(to - from, {-step, step}); }
@@ -67,6 +74,7 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
     refused_ = refusal_of(*command);
     posture_ = posture_of(*command);
     take_walk(*command);
+    if (kicking_ == Kicking::waits) walk_ = kick_step();
     aim(report, *command);
   }
   // a walking robot stands before it sits or holds still: a foot may be in the air
@@ -77,6 +85,7 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
   if (may_walk_) legs_.drive(report, walk_, dt, order);
   if (legs_.kicks()) {
     kicking_ = Kicking::begun;
+    kick_age_ = 0;
     walk_ = {};
   }
   if (!head_) return order;
@@ -119,26 +128,46 @@ void Motion::take_walk(const pb::MotionCommand& command) {
       return;
     walk_ = towards({to.x(), to.y(), to.heading()}, to.gain(), limits);
   }
-  if (command.has_kick() && command.kick().in_walk()) {
-    kick_ = command.kick().type();
-    if (kicking_ == Kicking::no) kicking_ = Kicking::waits, kick_age_ = 0;
-    if (kicking_ == Kicking::waits) walk_ = kick_step(command.kick());
-  } else {
-    kick_.clear();
+  if (command.has_kick() && command.kick().in_walk())
+    take_kick(command.kick());
+  else
     kicking_ = Kicking::no;
-  }
-  may_walk_ |= !walk_.stands();
+  may_walk_ |= !walk_.stands() || kicking_ == Kicking::waits;
 }
 
-/// Returns the step that kicks: with the foot nearer to the ball, outwards for a direction to the side of that foot.
-walk::Command Motion::kick_step(const pb::Kick& kick) const {
+/// Takes a kick. One that is commanded still when its step has long ended has missed; it is kicked again if the command says
+/// where the ball is.
+void Motion::take_kick(const pb::Kick& kick) {
+  const bool has_ball = kick.has_ball_x() && kick.has_ball_y();
+  const bool again = kicking_ == Kicking::begun && has_ball && kick_age_ > kKicksAgain;
+  if (kicking_ == Kicking::no) ball_.reset();
+  if (kicking_ == Kicking::no || again) kicking_ = Kicking::waits, kick_age_ = 0;
+  if (kicking_ != Kicking::waits) return;
+  // the same command comes many times, but the robot walks on
+  const bool moved = !ball_ || kick.ball_x() != kick_.ball_x() || kick.ball_y() != kick_.ball_y();
+  if (has_ball && moved) ball_ = {{kick.ball_x(), kick.ball_y(), 0}, legs_.way()};
+  kick_ = kick;
+}
+
+/// Returns the walk until the step that kicks, and that step: with the foot nearer to the ball, outwards for a direction to
+/// the side of that foot. The robot walks to a ball that the foot does not reach yet, and stands before one it has passed.
+walk::Command Motion::kick_step() const {
   walk::Command command;
-  const bool is_left = kick.leg() == pb::Kick::LEG_LEFT || (kick.leg() != pb::Kick::LEG_RIGHT && kick.ball_y() > 0);
+  const bool is_left = kick_.leg() == pb::Kick::LEG_LEFT || (kick_.leg() != pb::Kick::LEG_RIGHT && kick_.ball_y() > 0);
   command.foot = is_left ? walk::left : walk::right;
-  const float outwards = is_left ? kick.direction() : -kick.direction();
+  const float outwards = is_left ? kick_.direction() : -kick_.direction();
   command.kick = outwards > kSideways    ? walk::KickStep::side
                  : outwards < -kSideways ? walk::KickStep::turn
                                          : walk::KickStep::forward;
+  if (command.kick != walk::KickStep::forward) return command;
+  command.forward = kKickSpeed;
+  if (!ball_) return command;
+  const walk::Point ball = walk::passed(ball_->from, ball_->place, legs_.way());
+  const double aside = ball.y - walk::sign_of(command.foot) * kBallAside;
+  if (!std::isfinite(ball.x) || !std::isfinite(ball.y) || ball.x < kNearest) return {};
+  command.left = walk::within(walk::Limits{}, {.left = kSidesteps * aside}).left;
+  const bool reaches = ball.x < legs_.kick_reach() && std::abs(aside) < kBesideFoot;
+  if (!reaches || legs_.speed_ahead() < kSlowest) command.kick = walk::KickStep::none;
   return command;
 }
 
@@ -185,7 +214,7 @@ void Motion::fill_odometry(pb::Odometry& odometry) const {
 void Motion::fill_status(const Report& report, pb::MotionStatus& status) const {
   fill(report, status);
   legs_.fill_status(status);
-  if (!kick_.empty() && status.walking() && (kicking_ == Kicking::waits || legs_.kicks())) status.set_running(kick_);
+  if (status.walking() && (kicking_ == Kicking::waits || legs_.kicks())) status.set_running(kick_.type());
   const auto away = [&](std::size_t joint, float target) {
     return std::abs(report.sensors.position[joint] - target) > kArrived;
   };

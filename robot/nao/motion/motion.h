@@ -53,12 +53,19 @@ class Motion {
     float yaw_speed = kHeadSpeed, pitch_speed = kHeadSpeed;  // [rad/s]
   };
 
+  /// A ball, from where the robot was when it heard of it.
+  struct KickedBall {
+    walk::Point place;  // [m, robot]
+    walk::Way from;
+  };
+
   /// The state of the commanded kick: it waits for a step of its foot, or that step has begun.
   enum class Kicking { no, waits, begun };
 
   Order::Posture posture_of(const pb::MotionCommand& command) const;
   void take_walk(const pb::MotionCommand& command);
-  walk::Command kick_step(const pb::Kick& kick) const;
+  void take_kick(const pb::Kick& kick);
+  walk::Command kick_step() const;
   void aim(const Report& report, const pb::MotionCommand& command);
   HeadTarget look_to(const Report& report, const pb::LookTo& place) const;
 
@@ -66,9 +73,10 @@ class Motion {
   WalkingLegs legs_;
   bool may_walk_ = false;  // a command to walk has come
   walk::Command walk_;
-  std::string kick_;  // type of the commanded kick
+  pb::Kick kick_;  // the commanded kick
   Kicking kicking_ = Kicking::no;
-  float kick_age_ = 0;              // [s] since it was commanded
+  float kick_age_ = 0;              // [s] since it was commanded, or since its step ended
+  std::optional<KickedBall> ball_;  // of that kick; nothing: the command does not say
   std::optional<HeadTarget> head_;  // nothing: no command for the head yet
   Order::Posture posture_ = Order::Posture::stand;
   std::string refused_;

@@ -27,6 +27,12 @@ class WalkingLegs {
   /// Reports whether the robot makes steps.
   bool steps() const { return walk_ && walk_->steps(); }
 
+  /// Returns the distance [m, robot] of the farthest ball that a kick ahead reaches.
+  double kick_reach() const { return parameters_.kick_reach; }
+
+  /// Returns the planned speed ahead of the present step [m/s].
+  double speed_ahead() const { return walk_ ? walk_->speed().forward : 0; }
+
   /// Reports whether the present step kicks.
   bool kicks() const { return walk_ && walk_->kick() != walk::KickStep::none; }
 

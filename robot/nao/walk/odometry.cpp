@@ -14,6 +14,13 @@ constexpr double kBiasMost = 0.05;   // [rad/s] a standing robot that turns fast
 
 }  // namespace
 
+Point passed(const Way& then, const Point& place, const Way& now) {
+  const double c = std::cos(then.heading), s = std::sin(then.heading);
+  const double x = then.x + c * place.x - s * place.y - now.x, y = then.y + s * place.x + c * place.y - now.y;
+  const double ahead = std::cos(now.heading), aside = std::sin(now.heading);
+  return {ahead * x + aside * y, ahead * y - aside * x, place.z};
+}
+
 void Odometry::see(const Sensors& sensors, std::optional<Side> support, double dt) {
   if (!support) {
     bias_ += kBiasShare * (std::clamp(sensors.rate[2], -kBiasMost, kBiasMost) - bias_);

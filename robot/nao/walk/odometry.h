@@ -13,6 +13,9 @@ struct Way {
   double heading = 0;   // [rad] (-π, π]
 };
 
+/// Returns the place [m, robot] of a robot that has gone to `now`, of what lay at `place` [m, robot] at `then`.
+Point passed(const Way& then, const Point& place, const Way& now);
+
 /// The odometry of one robot. The support foot stays where it is, so the torso moves against it. The gyroscope gives the
 /// heading; its bias is learned while the robot stands. In physics the way is 2 % too short with stiff servos and 16 % with
 /// soft ones, at 0.2 m/s (medians).

@@ -266,7 +266,6 @@ TEST_F(NaoMotion, KicksOnceWithAStepOfTheFootNearTheBall) {
     pb::Kick& kick = *command.mutable_kick();
     kick.set_type("walk_forward");
     kick.set_in_walk(true);
-    kick.set_ball_x(0.17f);
     kick.set_ball_y(static_cast<float>(ball_y));
     int kicks = 0;
     bool kicking = false;
@@ -282,6 +281,53 @@ TEST_F(NaoMotion, KicksOnceWithAStepOfTheFootNearTheBall) {
     EXPECT_EQ(kicks, 1);
     EXPECT_FALSE(status().walking()) << "then it stands";
   }
+}
+
+TEST_F(NaoMotion, WalksToABallThatTheFootDoesNotReachAndKicksItThere) {
+  command.mutable_kick()->set_in_walk(true);
+  command.mutable_kick()->set_leg(pb::Kick::LEG_RIGHT);
+  command.mutable_kick()->set_ball_x(0.3f);
+  command.mutable_kick()->set_ball_y(-0.01f);
+  pb::Odometry begin, now;
+  motion.fill_odometry(begin);
+  for (int i = 0; i < 500 && !motion.kicks(); ++i) {
+    next();
+    motion.fill_odometry(now);
+  }
+  ASSERT_TRUE(motion.kicks());
+  EXPECT_EQ(status().support_foot(), pb::MotionStatus::SUPPORT_FOOT_LEFT);
+  const double reach = walk::Parameters{}.kick_reach;
+  EXPECT_NEAR(now.x() - begin.x(), 0.3 - reach + 0.025, 0.035) << "the next step of the foot";
+  EXPECT_GT(now.y() - begin.y(), 0.005) << "the ball comes before the foot";
+}
+
+TEST_F(NaoMotion, KicksAgainWhileABallInReachIsCommandedAndStandsWhenItHasPassedTheBall) {
+  command.mutable_kick()->set_in_walk(true);
+  command.mutable_kick()->set_ball_x(0.15f);
+  command.mutable_kick()->set_ball_y(0.06f);
+  int kicks = 0;
+  bool kicked = false;
+  for (int i = 0; i < 600; ++i) {
+    // a behaviour that sees the ball before its feet, with errors
+    command.mutable_kick()->set_ball_x(i % 2 == 0 ? 0.15f : 0.14f);
+    next();
+    kicks += motion.kicks() && !kicked ? 1 : 0;
+    kicked = motion.kicks();
+  }
+  EXPECT_GE(kicks, 3);
+  for (int i = 0; i < 600; ++i) next();
+  EXPECT_FALSE(status().walking()) << "the last place of the ball lies behind";
+}
+
+TEST_F(NaoMotion, ABallThatIsNoNumberIsNotKicked) {
+  command.mutable_kick()->set_in_walk(true);
+  command.mutable_kick()->set_ball_x(std::nanf(""));
+  command.mutable_kick()->set_ball_y(0.06f);
+  for (int i = 0; i < 300; ++i) {
+    next();
+    EXPECT_FALSE(motion.kicks());
+  }
+  EXPECT_FALSE(status().walking());
 }
 
 TEST_F(NaoMotion, AKickIsCarriedOutAlthoughTheNextCommandWalksUnlessItStands) {

@@ -55,5 +55,17 @@ TEST(Odometry, LearnsTheBiasOfTheGyroscopeWhileTheRobotStands) {
   EXPECT_NEAR(odometry.way().x, 0, 1e-5);
 }
 
+TEST(Odometry, APlaceIsPassedAsTheRobotGoesOn) {
+  const Way then{1, 2, 0.5};
+  const Point same = passed(then, {0.3, -0.1, 0}, then);
+  EXPECT_NEAR(same.x, 0.3, 1e-12);
+  EXPECT_NEAR(same.y, -0.1, 1e-12);
+  // 0.3 m ahead of the first robot, which then goes there and turns left
+  const Way now{1 + 0.3 * std::cos(0.5), 2 + 0.3 * std::sin(0.5), 0.5 + std::acos(-1) / 2};
+  const Point left_behind = passed(then, {0.3, -0.1, 0}, now);
+  EXPECT_NEAR(left_behind.x, -0.1, 1e-12);
+  EXPECT_NEAR(left_behind.y, 0, 1e-12);
+}
+
 }  // namespace
 }  // namespace robot::nao::walk
