@@ -1,8 +1,8 @@
 #include "robot/app/whole_answers.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
+#include <cstdio>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -45,9 +45,9 @@ Result<std::vector<std::string>> fields_of(const net::Target& target, const char
 
 /// Twelve digits suffice for a plot, and are shorter than those of a double.
 void append(std::string& list, double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 12);
-  list.append(digits.data(), end.ptr);
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.12g", value);
+  list += digits;
 }
 
 template <class Value>

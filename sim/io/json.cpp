@@ -2,6 +2,8 @@
 #include "robot/core/json_library.h"
 
 #include <charconv>
+#include <cstdio>
+#include <cstdlib>
 #include <set>
 #include <vector>
 
@@ -65,7 +67,12 @@ std::string quoted(std::string_view text) { return shown(Json(std::string(text))
 
 std::string short_text(float value) {
   char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+  // six digits or more; all floats differ in nine. std::to_chars would bring 125 kB of tables to the robot.
+  for (int digits = 6; digits <= 9; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, static_cast<double>(value));
+    if (std::strtof(text, nullptr) == value) break;
+  }
+  return text;
 }
 
 double short_number(float value) {

@@ -8,6 +8,7 @@ import { binomialInterval, poissonInterval, quantile } from "./statistics.mjs";
 const kFirstSeed = 900_000;
 const kClasses = ["stiff", "soft"];
 const kRobots = 75; // of each class walk 0.5 km together
+const kHit = 0.2; // [m/s] a slower ball was missed, or only brushed
 const kShoved = 2; // [s] of a trial before it is shoved
 const kDirections = ["front", "front left", "left", "back left", "back", "back right", "right", "front right"];
 
@@ -18,6 +19,7 @@ function tellInterval(report, name, [from, to], factor, unit) {
   report.figure(`${name}, 95 % interval from`, factor * from, unit);
   report.figure(`${name}, 95 % interval to`, factor * to, unit);
 }
+const meanOf = (values) => values.reduce((all, value) => all + value, 0) / values.length;
 const medianOf = (values) => quantile(values, 0.5);
 const sum = (found, figure) => kClasses.reduce((all, name) => all + found[name][figure], 0);
 
@@ -231,15 +233,27 @@ async function games(report) {
 async function kicks(report, robots) {
   const found = await played("kick forward", robots * 0.7, 60_000);
   const speeds = kClasses.flatMap((name) => found[name].ball_speeds);
-  const mean = speeds.reduce((all, speed) => all + speed, 0) / speeds.length;
   report.figure(
     "kick with a step: ball hit",
-    percent(speeds.filter((speed) => speed > 0.2).length / speeds.length),
+    percent(speeds.filter((speed) => speed > kHit).length / speeds.length),
     `% of ${speeds.length}`,
     { atLeast: 95 },
   );
-  report.figure("kick with a step: speed of the ball, mean", mean, "m/s", { atLeast: 1 });
+  report.figure("kick with a step: speed of the ball, mean", meanOf(speeds), "m/s", { atLeast: 1 });
   report.figure("kick with a step: falls", percent(sum(found, "falls") / speeds.length), "%", { atMost: 1 });
+}
+
+/** A strategy brings the ball into the goal, alone: from beliefs with errors to the joints. */
+async function playing(report, robots) {
+  const found = await start("bench_walk", ["play", kFirstSeed + 120_000, Math.max(1, Math.ceil(robots))]).report;
+  for (const [name, one] of Object.entries(found)) {
+    const hits = one.kicks.filter((speed) => speed > kHit);
+    report.figure(`play, ${name}: goals within 60 s`, percent(one.goals / one.robots), `% of ${one.robots}`);
+    report.figure(`play, ${name}: kicks that hit`, percent(hits.length / one.kicks.length), `% of ${one.kicks.length}`);
+    report.figure(`play, ${name}: speed of a ball that was hit, mean`, meanOf(hits), "m/s");
+    report.figure(`play, ${name}: falls`, one.falls, `of ${one.robots}`);
+    if (one.goals > 0) report.figure(`play, ${name}: time until the goal, median`, medianOf(one.seconds), "s");
+  }
 }
 
 /** Robots that lie on each side, and the guardian that gets them up. */
@@ -273,6 +287,7 @@ export async function walk({ choices: robots = kRobots }) {
   await secondEngine(report, robots);
   await games(report);
   await kicks(report, robots);
+  await playing(report, robots / 3);
   await gettingUp(report, robots / 3);
   const cost = await start("bench_walk", ["cost"]).report;
   report.figure("cost of a tick on this machine", cost.microseconds_a_tick, "us");

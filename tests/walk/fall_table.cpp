@@ -301,6 +301,7 @@ std::string fall_table(const Origin& origin, const std::array<FallCounts, 2>& co
 std::string hash_of(const Parameters& parameters) {
   std::string text;
   for (const NamedParameter& named : kNamedParameters) {
+    if (named.name.starts_with("kick_")) continue;
     char line[96];
     std::snprintf(line, sizeof line, "%.*s=%a\n", static_cast<int>(named.name.size()), named.name.data(),
                   parameters.*named.place);
