@@ -110,20 +110,22 @@ Json by_class(const See& see) {
 }
 
 /// Lets a strategy play alone, robot by robot: how many brought the ball into the goal and how many fell, the seconds of each
-/// goal, and the speed of the ball after each kick [m/s].
+/// goal, the speed of the ball after each kick [m/s], and the time from its command to its step [s].
 Json playing(std::uint64_t first_seed, int robots) {
   constexpr double kLongest = 60;  // [s]
   return by_class([=](Servos servos) -> Json {
     int goals = 0, falls = 0;
-    std::vector<double> seconds, kicks;
+    std::vector<double> seconds, kicks, waits;
     for (int i = 0; i < robots; ++i) {
       const robot::nao::Played played =
           robot::nao::play_alone(servos, first_seed + static_cast<std::uint64_t>(i), kLongest);
       goals += played.scored, falls += played.fell;
       if (played.scored) seconds.push_back(played.seconds);
       kicks.insert(kicks.end(), played.kicks.begin(), played.kicks.end());
+      waits.insert(waits.end(), played.waits.begin(), played.waits.end());
     }
-    return {{"robots", robots}, {"goals", goals}, {"falls", falls}, {"seconds", seconds}, {"kicks", kicks}};
+    return {{"robots", robots},   {"goals", goals}, {"falls", falls},
+            {"seconds", seconds}, {"kicks", kicks}, {"waits", waits}};
   });
 }
 

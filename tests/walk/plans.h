@@ -17,6 +17,7 @@ inline double drawn(std::uint64_t seed, std::uint64_t number) { return Dice(seed
 /// A kick while walking: the step, and the place of the ball before the kicking foot.
 struct PlannedKick {
   KickStep step = KickStep::forward;
+  double speed = Parameters{}.kick_speed;       // [m/s] ahead
   double ball_ahead = Parameters{}.kick_reach;  // [m] from the torso, at most but for an error of 1.5 cm
   double nearer = 0.05;      // [m] the ball may lie this much nearer: a robot waits for the step of its foot
   double ball_aside = 0.06;  // [m] to the side of the foot
@@ -28,9 +29,9 @@ inline Plan kick_plan(const PlannedKick& kick, std::uint64_t seed) {
   const Side foot = seed % 2 == 0 ? left : right;
   return {.duration = 7,
           .command =
-              [=, step = kick.step](double now) {
+              [=, step = kick.step, speed = kick.speed](double now) {
                 if (now < kStart) return Command{};
-                Command command{.forward = 0.1, .foot = foot};
+                Command command{.forward = speed, .foot = foot};
                 if (now > 3 && now < 3.55) command.kick = step;
                 return command;
               },

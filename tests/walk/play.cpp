@@ -92,22 +92,29 @@ class Eyes {
   std::uint64_t seen_ns_ = 0;
 };
 
-/// Watches the ball after each step that kicks.
+/// Watches the steps that kick, and the ball after them.
 class Kicks {
  public:
-  /// Takes a frame: whether the present step kicks, and the ball's speed [m/s].
-  void see(bool kicks, double ball_speed) {
-    if (kicks && !kicking_) speeds_.push_back(0);
+  /// Takes a frame: whether a kick is commanded, whether the present step kicks, and the ball's speed [m/s].
+  void see(bool commanded, bool kicks, double ball_speed) {
+    unasked_ = commanded ? 0 : unasked_ + kFrame;
+    asked_ = unasked_ > kForgotten ? 0 : asked_ + kFrame;
+    if (kicks && !kicking_) speeds_.push_back(0), waits_.push_back(asked_), asked_ = 0;
     kicking_ = kicks;
     since_ = kicks ? 0 : since_ + kFrame;
     if (!speeds_.empty() && since_ < kWatched) speeds_.back() = std::max(speeds_.back(), ball_speed);
   }
   const std::vector<double>& speeds() const { return speeds_; }
+  const std::vector<double>& waits() const { return waits_; }
 
  private:
+  static constexpr double kForgotten = 1;  // [s] without a command for it, a kick is over
+
   bool kicking_ = false;
-  double since_ = 0;  // [s] the last step that kicked
-  std::vector<double> speeds_;
+  double since_ = 0;             // [s] the last step that kicked
+  double asked_ = 0;             // [s] the first command of this kick
+  double unasked_ = kForgotten;  // [s] the last command of a kick
+  std::vector<double> speeds_, waits_;
 };
 
 }  // namespace
@@ -134,12 +141,12 @@ Played play_alone(walk::Servos servos, std::uint64_t seed, double seconds) {
     robot.cycle();
     played.seconds += kFrame;
     const walk::Truth now = robot.body.truth();
-    kicks.see(robot.motion.kicks(), now.ball_speed);
+    kicks.see(robot.command.has_kick(), robot.motion.kicks(), now.ball_speed);
     played.fell = !robot.body.upright();
     played.scored = now.ball_x > kAwayFromGoal && std::abs(now.ball_y) < kGoalHalf;
     if (played.trouble.empty()) played.trouble = robot.motion.refused();
   }
-  played.kicks = kicks.speeds();
+  played.kicks = kicks.speeds(), played.waits = kicks.waits();
   return played;
 }
 

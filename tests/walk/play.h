@@ -14,6 +14,7 @@ struct Played {
   bool scored = false, fell = false;
   double seconds = 0;         // until the goal, the fall or the end
   std::vector<double> kicks;  // [m/s] the fastest ball in the half second after each step that kicked
+  std::vector<double> waits;  // [s] from the first command of each kick to its step
   std::string trouble;        // what the behaviour or the motions refused; empty: nothing
 };
 

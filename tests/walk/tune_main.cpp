@@ -62,8 +62,8 @@ constexpr Knob kStepKnobs[] = {
     {"lead_most", 0.04, 0.2},
 };
 constexpr Knob kKickKnobs[] = {
-    {"kick_period", 0.25, 0.5}, {"kick_ahead", 0.06, 0.2}, {"kick_from", 0.05, 0.5}, {"kick_contact", 0.3, 0.8},
-    {"kick_over", 0.6, 1.4},    {"kick_lift", 0, 0.03},    {"kick_back", 0, 0.06},   {"kick_reach", 0.12, 0.21},
+    {"kick_period", 0.25, 0.5}, {"kick_ahead", 0.06, 0.2}, {"kick_from", 0.05, 0.5},
+    {"kick_contact", 0.3, 0.8}, {"kick_over", 0.6, 1.4},   {"kick_lift", 0, 0.03},
 };
 static_assert(std::ranges::all_of(kStepKnobs, parameter_named, &Knob::name) &&
               std::ranges::all_of(kKickKnobs, parameter_named, &Knob::name));
@@ -99,7 +99,7 @@ class Judge {
       const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i / 2);
       const DrawnRobot robot = draw_robot(seed, i % 2 == 0 ? Servos::stiff : Servos::soft);
       OurGait gait(parameters);
-      const Plan plan = kick_plan({.ball_ahead = parameters.kick_reach}, seed);
+      const Plan plan = kick_plan({}, seed);
       const Outcome outcome = robot::nao::walk::run(*with_ball_[robot.about_origin], gait, robot, seed,
                                                     stand(parameters), parameters.hip_height, plan);
       sum += 5 * fall(outcome, plan.duration) + std::max(0.0, 1.5 - outcome.ball_speed) +

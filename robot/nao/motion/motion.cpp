@@ -13,11 +13,10 @@ constexpr float kLongestStep = 0.1f;  // [s] longest step of the head after a ga
 constexpr float kSideways = 0.6f;     // [rad] kicks in a direction farther off are not forward
 constexpr float kKickWaits = 1;       // [s] a kick that has found no step of its foot by then is given up
 constexpr float kKicksAgain = 0.5f;   // [s] after a kick that has ended and is still commanded: it has missed
-constexpr double kKickSpeed = 0.1;    // [m/s] it walks into the ball: a kick on the spot is weaker and shorter
 constexpr double kBallAside = 0.06;   // [m] of the ball before its foot
 constexpr double kBesideFoot = 0.05;  // [m] a ball farther aside is not in front of the foot
 constexpr double kNearest = 0.05;     // [m] from the robot to a ball that is still before the feet
-constexpr double kSlowest = 0.04;     // [m/s] a slower step does not kick
+constexpr double kInGait = 0.85;      // [kick_speed] a slower step does not kick
 constexpr double kSidesteps = 1.5;    // [1/s] speed per distance
 constexpr float kArrived = 0.03f;     // [rad] largest error of a head that has arrived
 
@@ -74,7 +73,7 @@ Order Motion::next(const Report& report, const pb::MotionCommand* command, std::
     refused_ = refusal_of(*command);
     posture_ = posture_of(*command);
     take_walk(*command);
-    if (kicking_ == Kicking::waits) walk_ = kick_step();
+    if (kicking_ == Kicking::waits) walk_ = kick_step(report);
     aim(report, *command);
   }
   // a walking robot stands before it sits or holds still: a foot may be in the air
@@ -151,7 +150,7 @@ void Motion::take_kick(const pb::Kick& kick) {
 
 /// Returns the walk until the step that kicks, and that step: with the foot nearer to the ball, outwards for a direction to
 /// the side of that foot. The robot walks to a ball that the foot does not reach yet, and stands before one it has passed.
-walk::Command Motion::kick_step() const {
+walk::Command Motion::kick_step(const Report& report) const {
   walk::Command command;
   const bool is_left = kick_.leg() == pb::Kick::LEG_LEFT || (kick_.leg() != pb::Kick::LEG_RIGHT && kick_.ball_y() > 0);
   command.foot = is_left ? walk::left : walk::right;
@@ -160,14 +159,15 @@ walk::Command Motion::kick_step() const {
                  : outwards < -kSideways ? walk::KickStep::turn
                                          : walk::KickStep::forward;
   if (command.kick != walk::KickStep::forward) return command;
-  command.forward = kKickSpeed;
+  command.forward = legs_.parameters().kick_speed;
   if (!ball_) return command;
   const walk::Point ball = walk::passed(ball_->from, ball_->place, legs_.way());
   const double aside = ball.y - walk::sign_of(command.foot) * kBallAside;
   if (!std::isfinite(ball.x) || !std::isfinite(ball.y) || ball.x < kNearest) return {};
   command.left = walk::within(walk::Limits{}, {.left = kSidesteps * aside}).left;
-  const bool reaches = ball.x < legs_.kick_reach() && std::abs(aside) < kBesideFoot;
-  if (!reaches || legs_.speed_ahead() < kSlowest) command.kick = walk::KickStep::none;
+  const bool reaches = ball.x < legs_.parameters().kick_reach && std::abs(aside) < kBesideFoot;
+  const bool in_gait = legs_.speed_ahead() > kInGait * WalkingLegs::share_of_speed(report) * command.forward;
+  if (!reaches || !in_gait) command.kick = walk::KickStep::none;
   return command;
 }
 

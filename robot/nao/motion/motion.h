@@ -65,7 +65,7 @@ class Motion {
   Order::Posture posture_of(const pb::MotionCommand& command) const;
   void take_walk(const pb::MotionCommand& command);
   void take_kick(const pb::Kick& kick);
-  walk::Command kick_step() const;
+  walk::Command kick_step(const Report& report) const;
   void aim(const Report& report, const pb::MotionCommand& command);
   HeadTarget look_to(const Report& report, const pb::LookTo& place) const;
 

@@ -24,8 +24,7 @@ void WalkingLegs::drive(const Report& report, const walk::Command& command, floa
   }
   if (take_over(report, dt)) {
     const walk::Sensors sensors = walking_sensors(report);
-    // a warm robot has half of its speed
-    const double share = report.limited ? 0.5 : 1;
+    const double share = share_of_speed(report);
     walk::Command slower = command;
     slower.forward *= share, slower.left *= share, slower.turn *= share;
     targets_ = walk_->tick(sensors, slower, dt);

@@ -27,8 +27,10 @@ class WalkingLegs {
   /// Reports whether the robot makes steps.
   bool steps() const { return walk_ && walk_->steps(); }
 
-  /// Returns the distance [m, robot] of the farthest ball that a kick ahead reaches.
-  double kick_reach() const { return parameters_.kick_reach; }
+  const walk::Parameters& parameters() const { return parameters_; }
+
+  /// Returns the share of the commanded speed that the robot walks with: a warm one has half.
+  static double share_of_speed(const Report& report) { return report.limited ? 0.5 : 1; }
 
   /// Returns the planned speed ahead of the present step [m/s].
   double speed_ahead() const { return walk_ ? walk_->speed().forward : 0; }

@@ -70,16 +70,16 @@ struct Parameters {
   double heading_most = 0.6;      // [rad/s] bound of that turn
 
   // kicks with a step
+  double kick_speed = 0.13;    // [m/s] the robot walks into the ball: a kick on the spot is weaker and shorter
+  double kick_reach = 0.2;     // [m] from the torso to the ball, at the beginning of the step
   double kick_period = 0.3;    // [s] of the step that kicks
-  double kick_ahead = 0.12;    // [m] the foot swings ahead, beyond its place
-  double kick_back = 0;        // [m] before that it stays this far behind
-  double kick_reach = 0.16;    // [m] from the torso to the ball, at the beginning of the step
-  double kick_side = 0.11;     // [m] or outwards
   double kick_lift = 0.02;     // [m] the foot is lifted higher
+  double kick_ahead = 0.12;    // [m] the foot swings ahead, beyond its place
+  double kick_side = 0.11;     // [m] or outwards
   double kick_turn = 0.6;      // [rad] or turns inwards
   double kick_from = 0.23;     // [kick_period] the swing begins
   double kick_contact = 0.65;  // [kick_period] the foot is ahead
-  double kick_over = 1.1;      // [kick_period] it is at its place
+  double kick_over = 1.1;      // [kick_period] it would be at its place
 
   // servos
   double lag_share = 0.651;      // of the servos' lag that is led

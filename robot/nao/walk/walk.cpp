@@ -210,16 +210,14 @@ void Walk::catch_fall(const Tipping& error, double dt) {
   if (std::abs(shift_.forward) > std::abs(worst_shift_.forward)) worst_shift_ = shift_;
 }
 
-/// Returns the swing of a kick ahead of the foot's place: back first, from 0 to -kick_back, then to `ahead` at full speed,
-/// and to 0 again.
-double Walk::kick_swing(double ahead) const {
+/// Returns the swing of a kick from 0 to 1. It begins at full speed.
+double Walk::kick_swing() const {
   const Parameters& p = parameters_;
-  const double now = phase(), back = kick_ == KickStep::forward ? p.kick_back : 0;
-  if (now < p.kick_from) return -back * smooth(now / p.kick_from);
+  const double now = phase();
+  if (now < p.kick_from) return 0;
   if (now < p.kick_contact)
-    return (ahead + back) * std::sin(std::numbers::pi / 2 * (now - p.kick_from) / (p.kick_contact - p.kick_from)) -
-           back;
-  return ahead * (1 - smooth((now - p.kick_contact) / (p.kick_over - p.kick_contact)));
+    return std::sin(std::numbers::pi / 2 * (now - p.kick_from) / (p.kick_contact - p.kick_from));
+  return 1 - smooth((now - p.kick_contact) / (p.kick_over - p.kick_contact));
 }
 
 double Walk::lift() const {
@@ -252,10 +250,10 @@ void Walk::move_feet() {
   free.y = between(start_[swing_].y, end_[swing_].y, arrives) + shifted * shift_.left;
   free.yaw = between(start_[swing_].yaw, end_[swing_].yaw, arrives);
   if (kick_ != KickStep::none) {
-    const double out = sign_of(swing_);
-    if (kick_ == KickStep::forward) free.x += kick_swing(parameters_.kick_ahead);
-    if (kick_ == KickStep::side) free.y += out * kick_swing(parameters_.kick_side);
-    if (kick_ == KickStep::turn) free.yaw -= out * kick_swing(parameters_.kick_turn);
+    const double swing = kick_swing(), out = sign_of(swing_);
+    if (kick_ == KickStep::forward) free.x += swing * parameters_.kick_ahead;
+    if (kick_ == KickStep::side) free.y += out * swing * parameters_.kick_side;
+    if (kick_ == KickStep::turn) free.yaw -= out * swing * parameters_.kick_turn;
   }
   free.z = now < 1 ? lift() * std::pow(std::sin(std::numbers::pi * now), kLiftPower) : 0;
 }

@@ -68,7 +68,7 @@ class Walk {
   void pose(const Sensors& sensors, double dt);
   double period() const { return kick_ == KickStep::none ? parameters_.period : parameters_.kick_period; }
   double phase() const { return time_ / period(); }
-  double kick_swing(double ahead) const;
+  double kick_swing() const;
   double lift() const;
 
   const Parameters parameters_;
