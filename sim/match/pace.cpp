@@ -72,19 +72,19 @@ Tick until_impact(const motion::Model& model, const World& world, const Robot& s
   return elapsed < impact ? impact - elapsed : 1;
 }
 
-/// The waiting times [ticks] that follow from the distance to the ball and to other robots.
-struct Nearness {
-  Tick ball;
-  Tick robots;
-};
-Nearness nearness_of(const Params& params, const State& state, int robot) {
+/// Returns the waiting time that follows from the distance to the ball [ticks].
+Tick until_ball(const State& state, int robot) {
+  if (state.book.phase != Phase::playing) return kFar;
   const World& world = state.world;
+  const Tick ball = ticks_at(squared_distance_from_path(world.ball, world.bodies[robot].position), kToBall, 0);
+  return state.robots[robot].mind.role == agent::Role::chaser ? std::min(ball, kChasing) : ball;
+}
+
+/// Returns the waiting time that follows from the distance to other robots [ticks], at most `most`.
+Tick until_robots(const Params& params, const World& world, int robot, Tick most) {
+  if (most <= kToRobot[0].ticks) return most;
   const float touch = 2 * params.teams[0].models.contact.robot_radius;
-  Nearness near{kFar, ticks_at(squared_distance_from_robots(world, robot), kToRobot, touch)};
-  if (state.book.phase != Phase::playing) return near;
-  near.ball = ticks_at(squared_distance_from_path(world.ball, world.bodies[robot].position), kToBall, 0);
-  if (state.robots[robot].mind.role == agent::Role::chaser) near.ball = std::min(near.ball, kChasing);
-  return near;
+  return std::min(most, ticks_at(squared_distance_from_robots(world, robot), kToRobot, touch));
 }
 
 Tick next_multiple(Tick now, Tick period) { return period - now % period; }
@@ -120,15 +120,15 @@ Wait wait_of(const Params& params, const State& state, int robot) {
   }
 
   // a walking robot, then all others
-  const Nearness near = nearness_of(params, state, robot);
+  const Tick ball = until_ball(state, robot);
   if (motion::in_step(body)) {
-    const Tick steps = next_step(rhythm, world.tick, waits || near.ball < kFar ? 1 : kFarSteps);
-    const Tick turn = std::min(steps, std::max(near.ball, kHalfStep));
-    return {turn, std::min({turn, near.ball, near.robots})};
+    const Tick steps = next_step(rhythm, world.tick, waits || ball < kFar ? 1 : kFarSteps);
+    const Tick turn = std::min(steps, std::max(ball, kHalfStep));
+    return {turn, until_robots(params, world, robot, std::min(turn, ball))};
   }
   const bool stands = body.doing == Doing::standing, rests = stands && command.body == motion::Command::Body::stand;
-  const Tick turn = stands && near.ball < kFar ? kStanding : near.ball;
-  return at_once(next_multiple(world.tick, rests ? turn : std::min(turn, near.robots)));
+  const Tick turn = stands && ball < kFar ? kStanding : ball;
+  return at_once(next_multiple(world.tick, rests ? turn : until_robots(params, world, robot, turn)));
 }
 
 World between_turns(const State& state) {
