@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <span>
+#include <type_traits>
 
+#include "sim/match/due.h"
 #include "sim/match/pace.h"
 #include "sim/motion/motion.h"
 #include "sim/perception/perception.h"
@@ -12,7 +13,7 @@
 #include "sim/world/contact.h"
 
 // Read this file from the bottom: `step_many` is one tick of many games, and each function above it is one part of that.
-// All games pass through one part before the next: it takes the robots that are due, of all games, as one list.
+// All games perceive together, and move together: the robots that are due, of all games, fill the lanes.
 //
 //   step_many ─ act ──── perceive ── perception::perceive
 //             │        ├ think ───── Behaviour::decide, wait_of
@@ -45,54 +46,11 @@ referee::RefereeParams referee_params(const Params& params) {
   return {params.rules, common(params).ball, common(params).contact};
 }
 
-/// A set of robots, one bit per index.
-using Some = std::uint32_t;
-
-template <class See>
-void for_each_of(Some robots, See&& see) {
-  for (; robots != 0; robots &= robots - 1) see(std::countr_zero(robots));
-}
-
-/// The robots with something to do in a tick.
-struct Due {
-  Some moves;   // move on; all are on the field
-  Some turns;   // perceive and decide before they move
-  Some radios;  // their packet arrives or may be sent
+/// The games of one call, and who is due in this tick.
+struct Round {
+  std::span<State* const> games;
+  std::array<Due, kMostGames> due;  // by game
 };
-
-Due due_in(State& state) {
-  Due due{};
-  Schedule& schedule = state.schedule;
-  const Tick now = state.world.tick;
-  // without branches: the branch predictor could not foresee which robots are due
-  for_each_robot(state.world.players, [&](int robot) {
-    const bool turn = schedule.turn[robot] <= now, move = until_move(state.world.bodies[robot], now) == 0;
-    due.turns |= static_cast<Some>(turn) << robot;
-    due.moves |= static_cast<Some>(turn | move) << robot;
-    due.radios |= static_cast<Some>(schedule.radio[robot] <= now) << robot;
-  });
-  // a removed robot has no turn until it enters again
-  for_each_of(due.moves, [&](int robot) {
-    if (on_field(state.world, robot)) return;
-    schedule.turn[robot] = kNever;
-    due.moves &= ~(1u << robot);
-  });
-  due.turns &= due.moves;
-  return due;
-}
-
-/// Returns the next tick in which any robot has something to do.
-Tick earliest_of(const State& state) {
-  const World& world = state.world;
-  const Schedule& schedule = state.schedule;
-  Tick earliest = kNever;
-  for_each_robot(world.players, [&](int robot) {
-    const Tick move =
-        schedule.turn[robot] == kNever ? kNever : world.tick + until_move(world.bodies[robot], world.tick);
-    earliest = std::min(earliest, std::min(move, schedule.radio[robot]));
-  });
-  return earliest;
-}
 
 /// Notes the penalties of the teammates. The GameController sends them to all robots, and the robot's own team link
 /// notes them likewise (robot/game/team_link.cpp). A mate that returns is active again with its next packet.
@@ -105,63 +63,40 @@ void hear_penalties(const State& state, int robot, agent::Beliefs& beliefs) {
     if (until[agent::player_of_mate(player_of(robot), mate) - 1] != 0) beliefs.mates[mate].active = false;
 }
 
-/// One robot of one game.
-struct Actor {
-  State* state;
-  int robot;
-};
-
-/// The robots that are due in a tick, by side. In each game the home side comes first.
-class Actors {
- public:
-  void add(State& state, int robot) {
-    List& list = lists_[static_cast<int>(side_of(robot))];
-    list.actors[list.count++] = {&state, robot};
-  }
-  std::span<const Actor> of(Side side) const {
-    const List& list = lists_[static_cast<int>(side)];
-    return {list.actors.data(), list.count};
-  }
-
- private:
-  struct List {
+/// Calls pass(models, items) for those robots of all games that `some` selects: one item made by make(state, robot) for
+/// each, at most kMostLooks at once, all of robots with the same models.
+template <Some Due::*some, class Make, class Pass>
+void in_batches(const Params& params, const Round& round, Make&& make, Pass&& pass) {
+  using Item = std::invoke_result_t<Make, State&, int>;
+  struct Batch {
+    const Models* models = nullptr;
     std::size_t count = 0;
-    std::array<Actor, kMostGames * kMaxPlayers> actors;
+    std::array<Item, perception::kMostLooks> items;
   };
-  List lists_[2];
-};
-
-/// Calls see(state, robot) for each of these robots.
-template <class See>
-void for_each_of(const Actors& actors, See&& see) {
-  for (const Side side : {Side::home, Side::away})
-    for (const Actor& actor : actors.of(side)) see(*actor.state, actor.robot);
-}
-
-/// Calls pass(models, actors) for robots with the same models that follow one another, at most kMostLooks at once.
-template <class Pass>
-void for_each_model(const Params& params, const Actors& actors, Pass&& pass) {
-  for (const Side side : {Side::home, Side::away})
-    for (std::span<const Actor> left = actors.of(side); !left.empty();) {
-      const Models& models = models_of(params, left.front().robot);
-      const std::size_t most = std::min(left.size(), perception::kMostLooks);
-      std::size_t alike = 1;
-      while (alike < most && &models_of(params, left[alike].robot) == &models) ++alike;
-      pass(models, left.first(alike));
-      left = left.subspan(alike);
-    }
+  Batch batches[2];  // by side
+  const auto flush = [&](Batch& batch) {
+    if (batch.count > 0) pass(*batch.models, std::span<const Item>{batch.items.data(), batch.count});
+    batch.count = 0;
+  };
+  for (std::size_t i = 0; i < round.games.size(); ++i)
+    for_each_of(round.due[i].*some, [&](int robot) {
+      const Models& models = models_of(params, robot);
+      Batch& batch = batches[static_cast<int>(side_of(robot))];
+      if (&models != batch.models || batch.count == batch.items.size()) flush(batch);
+      batch.models = &models;
+      batch.items[batch.count++] = make(*round.games[i], robot);
+    });
+  for (Batch& batch : batches) flush(batch);
 }
 
 /// Updates the beliefs from the world.
-void perceive(const Params& params, const Actors& actors) {
-  for_each_model(params, actors, [&](const Models& models, std::span<const Actor> alike) {
-    std::array<perception::Look, perception::kMostLooks> looks;
-    for (std::size_t i = 0; i < alike.size(); ++i) {
-      const auto [state, robot] = alike[i];
-      Robot& self = state->robots[robot];
-      looks[i] = {&state->world, &self.beliefs, &self.cognition, robot, state->schedule.lag[robot]};
-    }
-    perception::perceive(perception_params(params, models), {looks.data(), alike.size()});
+void perceive(const Params& params, const Round& round) {
+  const auto look = [](State& state, int robot) {
+    Robot& self = state.robots[robot];
+    return perception::Look{&state.world, &self.beliefs, &self.cognition, robot, state.schedule.lag[robot]};
+  };
+  in_batches<&Due::turns>(params, round, look, [&](const Models& models, std::span<const perception::Look> looks) {
+    perception::perceive(perception_params(params, models), looks);
   });
 }
 
@@ -182,21 +117,18 @@ void think(const Params& params, State& state, int robot, agent::Trace* trace) {
 
 /// Moves the bodies on with their commands, at most up to their next turns. A head moves once, at the end of that time:
 /// no image is taken before.
-void move(const Params& params, const Actors& actors) {
-  for_each_model(params, actors, [&](const Models& models, std::span<const Actor> alike) {
-    std::array<motion::Mover, perception::kMostLooks> movers;
-    for (std::size_t i = 0; i < alike.size(); ++i) {
-      const auto [state, robot] = alike[i];
-      const Robot& self = state->robots[robot];
-      Body& body = state->world.bodies[robot];
-      const Tick now = state->world.tick, left = state->schedule.turn[robot] - now;
-      const Tick steps = std::min<Tick>(body.glide, left);
-      body.moved = static_cast<std::uint8_t>(now + steps);
-      movers[i] = {&self.command, &self.cognition.last,
-                   &state->world, robot,
-                   steps,         steps == left ? state->schedule.lag[robot] : 0u};
-    }
-    motion::move(motion_params(params, models), {movers.data(), alike.size()});
+void move(const Params& params, const Round& round) {
+  const auto mover = [](State& state, int robot) {
+    const Robot& self = state.robots[robot];
+    Body& body = state.world.bodies[robot];
+    const Tick now = state.world.tick, left = state.schedule.turn[robot] - now;
+    const Tick steps = std::min<Tick>(body.glide, left);
+    body.moved = static_cast<std::uint8_t>(now + steps);
+    const Tick head_steps = steps == left ? state.schedule.lag[robot] : 0u;
+    return motion::Mover{&self.command, &self.cognition.last, &state.world, robot, steps, head_steps};
+  };
+  in_batches<&Due::moves>(params, round, mover, [&](const Models& models, std::span<const motion::Mover> movers) {
+    motion::move(motion_params(params, models), movers);
   });
 }
 
@@ -260,33 +192,23 @@ struct Tracing {
   }
 };
 
-/// The games of one call, and whether their bodies may have moved in this tick.
-struct Round {
-  std::span<State* const> games;
-  std::array<bool, kMostGames> bodies_move{};
-};
-
 /// Lets the robots that are due perceive, decide, communicate and move.
 void act(const Params& params, Round& round, const Tracing& tracing) {
+  const auto& games = round.games;
+  const auto is_due = [&](std::size_t i) { return games[i]->schedule.next <= games[i]->world.tick; };
+  for (std::size_t i = 0; i < games.size(); ++i) round.due[i] = is_due(i) ? due_in(*games[i]) : Due{};
+
   // all robots that have a turn see the same world: no body has moved yet
-  Actors turns, radios, moves;
-  for (std::size_t i = 0; i < round.games.size(); ++i) {
-    State& state = *round.games[i];
-    if (state.schedule.next > state.world.tick) continue;
-    const Due due = due_in(state);
-    for_each_of(due.turns, [&](int robot) { turns.add(state, robot); });
-    for_each_of(due.radios, [&](int robot) { radios.add(state, robot); });
-    for_each_of(due.moves, [&](int robot) { moves.add(state, robot); });
-    round.bodies_move[i] = due.moves != 0;
+  perceive(params, round);
+  for (std::size_t i = 0; i < games.size(); ++i) {
+    for_each_of(round.due[i].turns, [&](int robot) { think(params, *games[i], robot, tracing.of(robot)); });
+    for_each_of(round.due[i].radios, [&](int robot) { talk(params, *games[i], robot); });
   }
-  perceive(params, turns);
-  for_each_of(turns, [&](State& state, int robot) { think(params, state, robot, tracing.of(robot)); });
-  for_each_of(radios, [&](State& state, int robot) { talk(params, state, robot); });
-  move(params, moves);
+  move(params, round);
 
   // until then `act` skips the game
-  for (State* const state : round.games)
-    if (state->schedule.next <= state->world.tick) state->schedule.next = earliest_of(*state);
+  for (std::size_t i = 0; i < games.size(); ++i)
+    if (is_due(i)) games[i]->schedule.next = next_tick(*games[i], round.due[i]);
 }
 
 bool falls_by_table(const Models& models) { return models.effects.falls && models.motion.falls.table.given; }
@@ -356,7 +278,8 @@ State begin(const Params& params, RandomKey key, referee::Events& events) {
 namespace {
 
 void step_round(const Params& params, std::span<State* const> games, referee::Events* events, const Tracing& tracing) {
-  Round round{games};
+  Round round;
+  round.games = games;
   std::array<bool, kMostGames> touched;
   for (std::size_t i = 0; i < games.size(); ++i) {
     World& world = games[i]->world;
@@ -366,7 +289,7 @@ void step_round(const Params& params, std::span<State* const> games, referee::Ev
   }
   act(params, round, tracing);
   for (std::size_t i = 0; i < games.size(); ++i) {
-    meet(params, round.bodies_move[i], touched[i], games[i]->world);
+    meet(params, round.due[i].moves != 0, touched[i], games[i]->world);
     judge(params, *games[i], events[i]);
     ++games[i]->world.tick;
   }
