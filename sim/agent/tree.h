@@ -62,9 +62,9 @@ constexpr Comparison negated(Comparison comparison) {
 
 /// Returns whether a value passes. An unknown value or threshold (NaN) never passes.
 inline bool holds(Comparison comparison, float value, float threshold) {
-  // without branches, which would be mispredicted
-  const int is = (value < threshold) | (value > threshold) << 1 | (value == threshold) << 2;
-  return (is & static_cast<int>(comparison)) != 0;
+  // without branches, which would be mispredicted: 0 unknown, 1 less, 2 greater, 3 equal
+  const int is = (value <= threshold) | (value >= threshold) << 1;
+  return (static_cast<int>(comparison) << 1 >> is & 1) != 0;
 }
 
 /// The behaviour of a tree. Outside play the robot stands or goes to its place.

@@ -57,6 +57,7 @@ struct Round {
 void hear_penalties(const State& state, int robot, agent::Beliefs& beliefs) {
   const Tick* const until = &state.book.penalised_until[robot_of(side_of(robot), 1)];
   Tick anybody = 0;
+#pragma GCC unroll 7
   for (int mate = 0; mate < kMaxPlayers; ++mate) anybody |= until[mate];
   if (anybody == 0) return;
   for (int mate = 0; mate + 1 < state.world.players; ++mate)

@@ -21,12 +21,24 @@ constexpr float kBeyondRange = 2;      // [ranges] a percept that seems to be fa
 
 BallPercept no_percept() { return {.images = {.count = 1}}; }
 
-/// Returns the place where the image shows the ball: its place `latency` ago, in whole ticks. [m, field]
+/// The constants of a look for the ball.
+struct SightConstants {
+  const Model& model;
+  const Effects& effects;
+  float height;  // [m] of the camera above the ball
+  Tick latency;  // [ticks] of the images
+};
+
+SightConstants sight_constants(const PerceptionParams& params) {
+  return {params.model, params.effects, params.model.camera.height - params.ball.radius,
+          params.effects.latency ? ticks(params.model.camera.latency) : 0};
+}
+
+/// Returns the place where the image shows the ball: its place `latency` ago. [m, field]
 ///
 /// The robot's own motion in that time is compensated by odometry. The odometry's error over 70 ms is left out.
-Vec2 shown_ball(const PerceptionParams& params, const Ball& ball) {
-  const Tick ago = params.effects.latency ? ticks(params.model.camera.latency) : 0;
-  return ago == 0 ? ball.position : ball.past[ago - 1];
+Vec2 shown_ball(const SightConstants& constants, const Ball& ball) {
+  return constants.latency == 0 ? ball.position : ball.past[constants.latency - 1];
 }
 
 /// Returns the heat [0..1] of one opponent whose ball is at `to_ball` [m, field's axes].
@@ -111,16 +123,9 @@ struct SightBlock {
   Lane<std::int32_t> ago;     // [ticks] age of the newest detection; `steps`: there is none
 };
 
-/// The constants of a look for the ball.
-struct SightConstants {
-  const Model& model;
-  const Effects& effects;
-  float height;  // [m] of the camera above the ball
-};
-
 /// Decides which images show the ball, if nothing hides it.
 void detect_balls(SightBlock& block, const SightConstants& constants) {
-  const auto& [model, effects, height] = constants;
+  const auto& [model, effects, height, latency] = constants;
   const std::int32_t everywhere = effects.limited_view ? 0 : 1;
   const float least = effects.missed_ball ? 0 : 1;
   SIM_FOR_LANES(i) {
@@ -164,7 +169,7 @@ struct PerceptBlock {
 
 /// Measures the ball's place and velocity with the noise of the images.
 void measure_balls(PerceptBlock& block, const SightConstants& constants) {
-  const auto& [model, effects, height] = constants;
+  const auto& [model, effects, height, latency] = constants;
   const ImageNoise standing = image_noise(model, true), walking = image_noise(model, false);
   const float farthest = kBeyondRange * model.ball.far_range;
   SIM_FOR_LANES(i) {
@@ -198,12 +203,12 @@ struct Detected {
   Tick earlier;  // images before the newest detection
 };
 
-void gather_detected(const PerceptionParams& params, const Detected& detected, int i, PerceptBlock& block) {
+void gather_detected(const SightConstants& constants, const Detected& detected, int i, PerceptBlock& block) {
   const World& world = *detected.look->world;
   const Body& body = detected.look->body();
   block.position.set(i, body.position);
   block.facing.set(i, body.facing);
-  block.ball.set(i, shown_ball(params, world.ball));
+  block.ball.set(i, shown_ball(constants, world.ball));
   block.velocity.set(i, world.ball.velocity);
   block.stands[i] = body.doing == Body::Doing::standing ? 1 : 0;
   block.draws.set(i, world.key, detected.look->robot, world.tick);
@@ -226,14 +231,14 @@ void measure(const PerceptionParams& params, const SightConstants& constants, st
     for (const Detected& detected : all) {
       const World& world = *detected.look->world;
       const Body& body = detected.look->body();
-      detected.percept->position = turned_back(shown_ball(params, world.ball) - body.position, body.facing);
+      detected.percept->position = turned_back(shown_ball(constants, world.ball) - body.position, body.facing);
       detected.percept->velocity = turned_back(world.ball.velocity, body.facing);
     }
     return;
   }
   PerceptBlock block{};
   in_blocks(
-      all, [&](const Detected& one, int i) { gather_detected(params, one, i, block); },
+      all, [&](const Detected& one, int i) { gather_detected(constants, one, i, block); },
       [&] { in_lanes<measure_balls>(block, constants); },
       [&](const Detected& one, int i) { scatter_percept(block, i, *one.percept); });
 }
@@ -252,13 +257,13 @@ std::optional<Detected> detected_in(const PerceptionParams& params, const SightC
   return Detected{&look, &percept, block.chance[i], static_cast<Tick>(block.steps[i]) - 1 - percept.ago};
 }
 
-void gather_sight(const PerceptionParams& params, const Look& look, int i, SightBlock& block) {
+void gather_sight(const SightConstants& constants, const Look& look, int i, SightBlock& block) {
   const World& world = *look.world;
   const Body& body = look.body();
   block.position.set(i, body.position);
   block.facing.set(i, body.facing);
   block.look.set(i, body.look);
-  block.ball.set(i, shown_ball(params, world.ball));
+  block.ball.set(i, shown_ball(constants, world.ball));
   block.head_pitch[i] = body.head_pitch;
   block.draws.set(i, world.key, look.robot, world.tick);
   const Tick images = look.beliefs->ball.visible ? look.steps : 1;
@@ -288,13 +293,13 @@ BallPercept detect_false_ball(const PerceptionParams& params, const World& world
 }  // namespace
 
 void look_for_ball(const PerceptionParams& params, std::span<const Look> looks, std::span<BallPercept> percepts) {
-  const SightConstants constants{params.model, params.effects, params.model.camera.height - params.ball.radius};
+  const SightConstants constants = sight_constants(params);
   std::array<Detected, kMostLooks> detected;
   std::size_t count = 0;
   SightBlock block{};
   auto percept = percepts.begin();
   in_blocks(
-      looks, [&](const Look& look, int i) { gather_sight(params, look, i, block); },
+      looks, [&](const Look& look, int i) { gather_sight(constants, look, i, block); },
       [&] { in_lanes<detect_balls>(block, constants); },
       [&](const Look& look, int i) {
         *percept = no_percept();

@@ -85,6 +85,7 @@ Limits limits_of(const Things& things, float largest, float margin) {
 /// each robot with the one that is some places further on, a block at a time.
 Neighbours neighbours_of(const Things& things, const Crowd& crowd, const Limits& limits) {
   std::uint32_t near[Crowd::kRoom];  // bit 0: a thing is near; bit n: the robot n places further on is
+  std::uint32_t anybody[Crowd::kBlock] = {};
   for (int block = 0; block < crowd.count; block += Crowd::kBlock) {
     std::uint32_t bits[Crowd::kBlock];
     const auto each_lane = [&](auto&& see) {
@@ -101,10 +102,11 @@ Neighbours neighbours_of(const Things& things, const Crowd& crowd, const Limits&
         const Vec2 apart = crowd.middle(block + lane + further) - middle;
         bits[lane] |= (squared_length(apart) < limits.robots ? 1u : 0u) << further;
       });
-    each_lane([&](int lane, Vec2) { near[block + lane] = bits[lane]; });
+    each_lane([&](int lane, Vec2) { near[block + lane] = bits[lane], anybody[lane] |= bits[lane]; });
   }
 
   Neighbours neighbours;
+  if ((anybody[0] | anybody[1] | anybody[2] | anybody[3]) == 0) return neighbours;
   for (int i = 0; i < crowd.count; ++i)
     for (std::uint32_t bits = near[i]; bits != 0; bits &= bits - 1) {
       const int further = std::countr_zero(bits);
