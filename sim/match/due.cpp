@@ -1,13 +1,11 @@
 #include "sim/match/due.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "sim/match/due_lanes.h"
 #include "sim/match/pace.h"
 
 namespace sim {
-
 namespace {
 
 bool is_removed(const World& world, int robot) { return world.bodies[robot].doing == Body::Doing::removed; }
@@ -17,12 +15,15 @@ bool is_removed(const World& world, int robot) { return world.bodies[robot].doin
 Due due_in(State& state) {
   const World& world = state.world;
   const Some side = (1u << world.players) - 1;
+  // find those in the schedule
   Dates dates{state.schedule, world.tick, side | side << kMaxPlayers};
 #pragma GCC unroll 16
   for (int robot = 0; robot < kMaxRobots; ++robot) dates.moved[robot] = world.bodies[robot].moved;
   Due due;
-  in_lanes<find_due>(std::as_const(dates), due);
+  in_lanes<find_due>(dates, due);
   due.any = due.moves | due.radios;
+
+  // a removed robot has no turn until it enters again
   for_each_of(due.moves, [&](int robot) {
     if (!is_removed(world, robot)) return;
     state.schedule.turn[robot] = kNever;

@@ -21,7 +21,7 @@ struct Due {
   Some moves = 0;       // move on; all are on the field
   Some turns = 0;       // perceive and decide before they move
   Some radios = 0;      // their packet arrives or may be sent
-  Some any = 0;         // all of these, and robots that were removed since their last move
+  Some any = 0;         // all of these, and robots that were removed since their last turn
   Tick later = kNever;  // next tick in which one of the others has something to do
 };
 

@@ -64,8 +64,8 @@ void hear_penalties(const State& state, int robot, agent::Beliefs& beliefs) {
     if (until[agent::player_of_mate(player_of(robot), mate) - 1] != 0) beliefs.mates[mate].active = false;
 }
 
-/// Calls pass(models, items) for those robots of all games that `some` selects: one item made by make(state, robot) for
-/// each, at most kMostLooks at once, all of robots with the same models.
+/// Calls pass(models, items) for those robots of all games that `some` selects. make(state, robot) makes one item for each.
+/// A call has at most kMostLooks items, all of robots with the same models.
 template <Some Due::*some, class Make, class Pass>
 void in_batches(const Params& params, const Round& round, Make&& make, Pass&& pass) {
   using Item = std::invoke_result_t<Make, State&, int>;

@@ -109,8 +109,8 @@ Json by_class(const See& see) {
   return {{"stiff", stiff.get()}, {"soft", soft.get()}};
 }
 
-/// Lets a strategy play alone, robot by robot: how many brought the ball into the goal and how many fell, the seconds of each
-/// goal, the speed of the ball after each kick [m/s], and the time from its command to its step [s].
+/// Lets a strategy play alone, robot by robot. Counts goals and falls, and lists the seconds until each goal. Lists the speed of
+/// the ball after each kick [m/s], and the time from its command to its step [s].
 Json playing(std::uint64_t first_seed, int robots) {
   constexpr double kLongest = 60;  // [s]
   return by_class([=](Servos servos) -> Json {

@@ -78,7 +78,8 @@ struct Origin {
 /// Returns the table as JSON, with the counts: one entry a line. `counts` by Servos.
 std::string fall_table(const Origin& origin, const std::array<FallCounts, 2>& counts);
 
-/// Returns a hash of the parameters of our walk: another one means another walk.
+/// Returns a hash of the parameters of our walk: another one means another walk. Those of kicks are left out: no trial of the
+/// table kicks.
 std::string hash_of(const Parameters& parameters);
 /// Returns a hash of the key frames of getting up.
 std::string hash_of_getting_up();

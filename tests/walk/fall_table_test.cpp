@@ -144,6 +144,9 @@ TEST(FallTable, AnotherParameterIsAnotherWalk) {
   other.period += 1e-9;
   EXPECT_NE(hash_of(other), hash_of({}));
   EXPECT_EQ(hash_of({}), hash_of({}));
+  Parameters kicks;
+  kicks.kick_ahead += 0.01;
+  EXPECT_EQ(hash_of(kicks), hash_of({})) << "no trial of the table kicks";
 }
 
 Json embedded() { return Json::parse(std::ifstream(FALLS "/foresight.json")); }

@@ -99,7 +99,7 @@ class Kicks {
   void see(bool commanded, bool kicks, double ball_speed) {
     unasked_ = commanded ? 0 : unasked_ + kFrame;
     asked_ = unasked_ > kForgotten ? 0 : asked_ + kFrame;
-    if (kicks && !kicking_) speeds_.push_back(0), waits_.push_back(asked_), asked_ = 0;
+    if (kicks && !kicking_) speeds_.push_back(0), waits_.push_back(asked_), asked_ = 0, unasked_ = 2 * kForgotten;
     kicking_ = kicks;
     since_ = kicks ? 0 : since_ + kFrame;
     if (!speeds_.empty() && since_ < kWatched) speeds_.back() = std::max(speeds_.back(), ball_speed);

@@ -9,13 +9,13 @@
 
 namespace robot::nao {
 
-/// What one robot did.
+/// The deeds of one robot.
 struct Played {
   bool scored = false, fell = false;
   double seconds = 0;         // until the goal, the fall or the end
   std::vector<double> kicks;  // [m/s] the fastest ball in the half second after each step that kicked
   std::vector<double> waits;  // [s] from the first command of each kick to its step
-  std::string trouble;        // what the behaviour or the motions refused; empty: nothing
+  std::string trouble;        // the sentence of the behaviour or the motions that refused something; empty: none did
 };
 
 /// Lets the robot of this seed play alone, from beliefs with errors to the joints, for at most `seconds`. The ball lies 0.7 m
