@@ -1,7 +1,8 @@
 // bench_walk CASE FIRST_SEED ROBOTS [LIBRARY | NAME=VALUE...]: lets drawn robots of both servo classes walk, be pushed or
 // stop, and prints one line of JSON. CASE "falls" prints the table that foresight-sim plays with --falls; "getting up" lets
-// robots lie and get up; "play" lets a strategy bring the ball to the goal. LIBRARY has another walk (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours, and
-// engine=ode plays the case in the second engine. Falls are those of robots nobody tuned on, if no one has used the seeds before.
+// robots lie and get up; "play" lets a strategy bring the ball to the goal. LIBRARY has another walk
+// (tests/walk/foresight_walk.h); NAME=VALUE changes a parameter of ours, and engine=ode plays the case in the second engine.
+// Falls are those of robots nobody tuned on, if no one has used the seeds before.
 #include <algorithm>
 #include <array>
 #include <chrono>

@@ -112,7 +112,7 @@ const std::map<std::string, Case>& cases() {
       {"shoved walking", shoves(slow)},
       {"shoved standing", shoves({})},
       {"kick forward", kicks({})},
-      {"kick side", kicks({KickStep::side, 0.1, 0.05, 0, 0.17})},
+      {"kick side", kicks({.step = KickStep::side, .speed = 0.1, .ball_ahead = 0.05, .nearer = 0, .ball_aside = 0.17})},
       {"turf 8 mm", changed(constant(ahead, 18), [](Case& one) { one.turf = 0.008; })},
       {"delay 40 ms", changed(constant(ahead), [](Case& one) { one.delay = 0.02; })},
       {"ranges 20 % wider", changed(constant(ahead), [](Case& one) { one.wider = 1.2; })},

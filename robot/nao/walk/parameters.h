@@ -71,7 +71,7 @@ struct Parameters {
 
   // kicks with a step
   double kick_speed = 0.13;    // [m/s] the robot walks into the ball: a kick on the spot is weaker and shorter
-  double kick_reach = 0.2;     // [m] from the torso to the ball, at the beginning of the step
+  double kick_reach = 0.2;     // [m] from the torso to the farthest ball, when the step begins
   double kick_period = 0.3;    // [s] of the step that kicks
   double kick_lift = 0.02;     // [m] the foot is lifted higher
   double kick_ahead = 0.12;    // [m] the foot swings ahead, beyond its place
