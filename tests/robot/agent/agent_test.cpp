@@ -77,6 +77,22 @@ TEST(Agent, DecidesFromMemoryAsTheSimulatedRobotWithTheSameBeliefs) {
   EXPECT_GT(equal, 0.9 * decided);
 }
 
+TEST(Agent, AKickSaysWhereTheBallIs) {
+  Playing playing;
+  Agent agent = agent_of();
+  int kicks = 0;
+  for (int tick = 0; tick < 30 * 180; ++tick) {
+    playing.tick();
+    const bridge::Recollection recollection = playing.recollection();
+    const pb::MotionCommand command = agent.decide(recollection).command;
+    if (!command.has_kick()) continue;
+    ++kicks;
+    EXPECT_NEAR(command.kick().ball_x(), recollection.ball->value.x(), 0.05);
+    EXPECT_NEAR(command.kick().ball_y(), recollection.ball->value.y(), 0.05);
+  }
+  EXPECT_GT(kicks, 0);
+}
+
 TEST(Agent, GivesTheSameCommandsForTheSameMemory) {
   Playing playing;
   Agent first = agent_of(), second = agent_of();
