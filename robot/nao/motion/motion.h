@@ -17,6 +17,8 @@ namespace pb = foresight;
 /// The motions of the body `nao`: it walks, kicks with a step, turns the head, stands, sits, freezes, softens and gets up.
 /// It has no kicks on one leg: it stands instead, and refused() says so. Pure; used by one thread.
 ///
+/// A kick ahead walks into its ball: the robot goes on until the foot reaches the ball by the odometry, and kicks with the next
+/// step of that foot. A kick without a place of the ball takes the next step of its foot.
 /// A robot that lies gets up, as the body `sim` does, unless its newest command is to sit, freeze or relax.
 /// The first command to walk gives the legs to the walk. From then on a standing robot that is pushed makes steps.
 class Motion {

@@ -319,6 +319,15 @@ TEST_F(NaoMotion, KicksAgainWhileABallInReachIsCommandedAndStandsWhenItHasPassed
   EXPECT_FALSE(status().walking()) << "the last place of the ball lies behind";
 }
 
+TEST_F(NaoMotion, AWarmRobotWithHalfOfItsSpeedKicksToo) {
+  report.limited = true;
+  command.mutable_kick()->set_in_walk(true);
+  command.mutable_kick()->set_ball_x(0.22f);
+  command.mutable_kick()->set_ball_y(0.06f);
+  for (int i = 0; i < 400 && !motion.kicks(); ++i) next();
+  EXPECT_TRUE(motion.kicks());
+}
+
 TEST_F(NaoMotion, ABallThatIsNoNumberIsNotKicked) {
   command.mutable_kick()->set_in_walk(true);
   command.mutable_kick()->set_ball_x(std::nanf(""));
