@@ -64,9 +64,9 @@ void hear_penalties(const State& state, int robot, agent::Beliefs& beliefs) {
     if (until[agent::player_of_mate(player_of(robot), mate) - 1] != 0) beliefs.mates[mate].active = false;
 }
 
-/// Calls pass(models, items) for those robots of all games that `some` selects. make(state, robot) makes one item for each.
+/// Calls pass(models, items) for those robots of all games that `Which` selects. make(state, robot) makes one item for each.
 /// A call has at most kMostLooks items, all of robots with the same models.
-template <Some Due::*some, class Make, class Pass>
+template <Some Due::*Which, class Make, class Pass>
 void in_batches(const Params& params, const Round& round, Make&& make, Pass&& pass) {
   using Item = std::invoke_result_t<Make, State&, int>;
   struct Batch {
@@ -80,7 +80,7 @@ void in_batches(const Params& params, const Round& round, Make&& make, Pass&& pa
     batch.count = 0;
   };
   for (std::size_t i = 0; i < round.games.size(); ++i)
-    for_each_of(round.due[i].*some, [&](int robot) {
+    for_each_of(round.due[i].*Which, [&](int robot) {
       const Models& models = models_of(params, robot);
       Batch& batch = batches[static_cast<int>(side_of(robot))];
       if (&models != batch.models || batch.count == batch.items.size()) flush(batch);
