@@ -245,12 +245,10 @@ int main(int count, char** words) {
   }
   const auto found = cases().find(name);
   const int robots = count >= 4 ? std::atoi(words[3]) : 0;
-  if (name == "getting up" && count == 4 && robots > 0) {
-    std::printf("%s\n", getting_up(std::strtoull(words[2], nullptr, 10), robots).dump().c_str());
-    return 0;
-  }
-  if (name == "play" && count == 4 && robots > 0) {
-    std::printf("%s\n", playing(std::strtoull(words[2], nullptr, 10), robots).dump().c_str());
+  if ((name == "getting up" || name == "play") && count == 4 && robots > 0) {
+    const std::uint64_t first_seed = std::strtoull(words[2], nullptr, 10);
+    const Json all = name == "play" ? playing(first_seed, robots) : getting_up(first_seed, robots);
+    std::printf("%s\n", all.dump().c_str());
     return 0;
   }
   if ((found == cases().end() && name != "falls") || robots < 1) return refuse(usage(name));

@@ -116,6 +116,8 @@ void Motion::take_walk(const pb::MotionCommand& command) {
   const bool walks = command.has_walk_speed() || command.has_walk_to();
   if (walks && kicking_ == Kicking::waits && kick_age_ < kKickWaits) return;
   walk_ = {};
+  if (command.has_kick() && command.kick().in_walk()) return take_kick(command.kick());
+  kicking_ = Kicking::no;
   const walk::Limits limits;
   if (command.has_walk_speed()) {
     const pb::WalkSpeed& speed = command.walk_speed();
@@ -127,11 +129,7 @@ void Motion::take_walk(const pb::MotionCommand& command) {
       return;
     walk_ = towards({to.x(), to.y(), to.heading()}, to.gain(), limits);
   }
-  if (command.has_kick() && command.kick().in_walk())
-    take_kick(command.kick());
-  else
-    kicking_ = Kicking::no;
-  may_walk_ |= !walk_.stands() || kicking_ == Kicking::waits;
+  may_walk_ |= !walk_.stands();
 }
 
 /// Takes a kick. One that is commanded still when its step has long ended has missed; it is kicked again if the command says
@@ -142,6 +140,7 @@ void Motion::take_kick(const pb::Kick& kick) {
   if (kicking_ == Kicking::no) ball_.reset();
   if (kicking_ == Kicking::no || again) kicking_ = Kicking::waits, kick_age_ = 0;
   if (kicking_ != Kicking::waits) return;
+  may_walk_ = true;
   // the same command comes many times, but the robot walks on
   const bool moved = !ball_ || kick.ball_x() != kick_.ball_x() || kick.ball_y() != kick_.ball_y();
   if (has_ball && moved) ball_ = {{kick.ball_x(), kick.ball_y(), 0}, legs_.way()};

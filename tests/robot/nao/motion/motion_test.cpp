@@ -319,6 +319,17 @@ TEST_F(NaoMotion, KicksAgainWhileABallInReachIsCommandedAndStandsWhenItHasPassed
   EXPECT_FALSE(status().walking()) << "the last place of the ball lies behind";
 }
 
+TEST_F(NaoMotion, AKickThatWaitsInVainIsOverWhenTheCommandToWalkIsNoNumber) {
+  command.mutable_kick()->set_in_walk(true);
+  command.mutable_kick()->set_ball_x(1);
+  command.mutable_kick()->set_ball_y(0.06f);
+  for (int i = 0; i < 100; ++i) next();
+  EXPECT_TRUE(status().walking()) << "to the ball";
+  command.mutable_walk_speed()->set_x(std::nanf(""));
+  for (int i = 0; i < 200; ++i) next();
+  EXPECT_FALSE(status().walking());
+}
+
 TEST_F(NaoMotion, AWarmRobotWithHalfOfItsSpeedKicksToo) {
   report.limited = true;
   command.mutable_kick()->set_in_walk(true);
