@@ -6,11 +6,6 @@
 #include "sim/match/pace.h"
 
 namespace sim {
-namespace {
-
-bool is_removed(const World& world, int robot) { return world.bodies[robot].doing == Body::Doing::removed; }
-
-}  // namespace
 
 Due due_in(State& state) {
   const World& world = state.world;
@@ -25,7 +20,7 @@ Due due_in(State& state) {
 
   // a removed robot has no turn until it enters again
   for_each_of(due.moves, [&](int robot) {
-    if (!is_removed(world, robot)) return;
+    if (world.bodies[robot].doing != Body::Doing::removed) return;
     state.schedule.turn[robot] = kNever;
     due.moves &= ~(1u << robot);
   });
