@@ -79,18 +79,17 @@ std::vector<SessionStore::Candidate> SessionStore::session_candidates() const {
   return found;
 }
 
-/// Returns the session as it was read before: as it is now, or `also_older`.
-std::optional<Result<Session>> SessionStore::known(const Candidate& candidate, bool also_older) const {
+/// Returns the session as it was read last.
+std::optional<SessionStore::Known> SessionStore::known(const Candidate& candidate) const {
   const std::lock_guard guard(lock_);
   const auto cached = cache_.find(candidate.folder.filename().string());
   if (cached == cache_.end()) return {};
   const auto& [print, session] = cached->second;
-  if (!also_older && print != fingerprint(candidate.entries, candidate.owned)) return {};
-  return session;
+  return Known{.session = session, .is_current = print == fingerprint(candidate.entries, candidate.owned)};
 }
 
 Result<Session> SessionStore::read(const Candidate& candidate) const {
-  if (std::optional<Result<Session>> before = known(candidate, false)) return *std::move(before);
+  if (std::optional<Known> before = known(candidate); before && before->is_current) return std::move(before->session);
   Result<Session> session = read_session(candidate.folder, candidate.owned);
   if (session && !session->rebuilt.empty() && !candidate.owned) mend(*session);
   const std::lock_guard guard(lock_);
@@ -142,20 +141,23 @@ std::vector<Session> SessionStore::list() const {
 std::vector<Session> SessionStore::list_within(std::uint64_t wait_ns) const {
   const std::vector<Candidate> found = candidates();
   std::vector<std::string> unread;
-  for (const Candidate& candidate : found)
-    if (may_be_session(candidate) && !known(candidate, false)) unread.push_back(candidate.folder.filename().string());
+  for (const Candidate& candidate : found) {
+    if (!may_be_session(candidate)) continue;
+    if (const auto before = known(candidate); !before || !before->is_current)
+      unread.push_back(candidate.folder.filename().string());
+  }
   if (!unread.empty()) reader_.add(unread, wait_ns);
 
   std::vector<Session> sessions;
   for (const Candidate& candidate : found) {
-    std::optional<Result<Session>> session = known(candidate, true);
-    if (!session && candidate.described) session = described(candidate);
-    if (!session || !*session) continue;
-    sessions.push_back(std::move(**session));
-    if (may_be_session(candidate) && !known(candidate, false) && sessions.back().state != SessionState::recording) {
-      sessions.back().read = false;
-      sessions.back().message = "its files are being read; until then this is incomplete";
-    }
+    std::optional<Known> session = known(candidate);
+    if (!session && candidate.described) session = Known{.session = described(candidate), .is_current = false};
+    if (!session || !session->session) continue;
+    sessions.push_back(std::move(*session->session));
+    if (session->is_current || !may_be_session(candidate)) continue;
+    if (sessions.back().state == SessionState::recording) continue;
+    sessions.back().read = false;
+    sessions.back().message = "its files are being read; until then this is incomplete";
   }
   std::ranges::sort(sessions, [](const Session& left, const Session& right) { return is_older(right, left); });
   return sessions;

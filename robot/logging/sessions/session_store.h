@@ -77,13 +77,19 @@ class SessionStore {
     std::uint64_t size_bytes = 0;
   };
 
+  /// A session as it was read last.
+  struct Known {
+    Result<Session> session;
+    bool is_current = false;  // its files are the same since
+  };
+
   std::vector<Candidate> candidates() const;
   std::vector<Candidate> session_candidates() const;
   Candidate candidate(const std::string& id) const;
   static bool may_be_session(const Candidate& candidate);
   bool is_session(const Candidate& candidate) const;
   Result<Session> read(const Candidate& candidate) const;
-  std::optional<Result<Session>> known(const Candidate& candidate, bool also_older) const;
+  std::optional<Known> known(const Candidate& candidate) const;
   static Session described(const Candidate& candidate);
   bool is_news(const std::string& text) const;
   void forget(const std::string& id) const;
