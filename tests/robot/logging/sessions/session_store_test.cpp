@@ -57,8 +57,8 @@ TEST_F(OldSessions, AListThatMustNotWaitHasEachSessionAtOnceAndItsStreamsSoon) {
   ASSERT_TRUE((*writer)->close());
   make(48, 10);
   fs::create_directory(folder / "no session");
-  for (std::uint64_t i = 0; i < 1000;
-       ++i) {  // the other thread is done before, between or after the questions of the list
+  // the other thread is done before, between or after the questions of the list
+  for (std::uint64_t i = 0; i < 1000; ++i) {
     const Session newest = SessionStore(folder.path(), 0).list_within(i * 1000).at(0);
     EXPECT_EQ(newest.streams.size(), newest.read ? 1u : 0u);
   }
