@@ -65,7 +65,7 @@ Result<void> run_attached(const RobotOptions& options, const OwnBody& own) {
   if (!begun) return begun.failure();
   if (!*begun) return {};
   const Result<std::shared_ptr<void>> body =
-      own.begin ? own.begin(*memory, clock) : Result<std::shared_ptr<void>>(nullptr);
+      own.begin ? own.begin(*memory, clock, runtime) : Result<std::shared_ptr<void>>(nullptr);
   if (!body) return body.failure();
   std::optional<agent::AgentThread> deciding;
   if (*agent) {

@@ -18,7 +18,7 @@ namespace robot::app {
 struct OwnBody {
   std::set<std::string> objects;                     // that the body writes; processes may only read them
   std::function<void(net::Services&)> add_services;  // may be empty
-  std::function<Result<std::shared_ptr<void>>(memory::Memory&, const SessionClock&)>
+  std::function<Result<std::shared_ptr<void>>(memory::Memory&, const SessionClock&, Runtime&)>
       begin;  // value lives until the end
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "robot/app/run_attached.h"
+#include "robot/app/services/walk_parameters.h"
 #include "robot/body/nao/config.h"
 #include "robot/body/nao/nao_body.h"
 #include "robot/body/nao/nao_cameras.h"
@@ -16,7 +17,8 @@ namespace robot::app {
 namespace {
 
 /// Objects that the body writes. A team's processes may read them through the door, but not write them.
-const char* const kOwnObjects[] = {"joints", "inertial", "fsr", "sonar", "touch", "battery", "body", "motion_status"};
+const char* const kOwnObjects[] = {
+    "joints", "inertial", "fsr", "sonar", "touch", "battery", "body", "motion_status", "live_parameters/walk"};
 
 /// Returns a sentence that names the owner of LoLA or of a camera, or an empty string if both are free.
 std::string whose_it_is(const body::NaoOptions& nao, const body::NaoConfig& config) {
@@ -58,15 +60,23 @@ Result<void> run_nao(const RobotOptions& options) {
     return run_attached(beside);
   }
 
-  return run_attached(
-      options, {.objects = {std::begin(kOwnObjects), std::end(kOwnObjects)},
-                .add_services = [&](net::Services& services) { add_sit_and_soft(nao.link, services); },
-                .begin = [&](memory::Memory& memory, const SessionClock& clock) -> Result<std::shared_ptr<void>> {
-                  const auto made = std::make_shared<BodyAndCameras>(nao, *config, memory, clock);
-                  if (Result<void> started = made->body.start(); !started) return started.failure();
-                  if (Result<void> started = made->cameras.start(); !started) return started.failure();
-                  return std::shared_ptr<void>(made);
-                }});
+  const std::string robot = robot_named_by(options).text();
+  return run_attached(options, {.objects = {std::begin(kOwnObjects), std::end(kOwnObjects)},
+                                .add_services = [&](net::Services& services) { add_sit_and_soft(nao.link, services); },
+                                .begin = [&](memory::Memory& memory, const SessionClock& clock,
+                                             Runtime& runtime) -> Result<std::shared_ptr<void>> {
+                                  const auto made = std::make_shared<BodyAndCameras>(nao, *config, memory, clock);
+                                  if (Result<void> started = made->body.start(); !started) return started.failure();
+                                  if (Result<void> started = made->cameras.start(); !started) return started.failure();
+                                  const auto change = [weak = std::weak_ptr(made)](const nao::walk::Parameters& walk) {
+                                    if (const auto alive = weak.lock()) alive->body.change_walk(walk);
+                                  };
+                                  if (Result<void> added = add_walk_parameters(
+                                          runtime.parameters(), config->walk, robot, runtime.channels(), clock, change);
+                                      !added)
+                                    return added.failure();
+                                  return std::shared_ptr<void>(made);
+                                }});
 }
 
 }  // namespace robot::app

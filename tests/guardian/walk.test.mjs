@@ -37,7 +37,7 @@ describe("a robot in the physics", { skip }, () => {
     const world = new World(t);
     await world.startRobot("lab_robot", "stiff");
     await world.startGuardian();
-    const { server, live, newest, door } = await join(t, world, ["motion_status", "body"]);
+    const { server, live, newest, door } = await join(t, world, ["motion_status", "body", "joints"]);
     await world.play();
     const command = commander(t, door);
     assert.ok((await world.state()).upright);
@@ -49,6 +49,22 @@ describe("a robot in the physics", { skip }, () => {
     await page.getByRole("searchbox").fill("motion_status velocity");
     await page.getByText("velocity_x").first().waitFor();
     await shoot(page, "walking-robot");
+
+    command(walkSpeed(0));
+    await live.until(() => newest("motion_status").standing, "it stands in the walk");
+    const knee = () => newest("joints").position[10];
+    const before = knee();
+    await page.goto(`${server.http}/#/14/2/parameters`);
+    await page.getByLabel("Search parameters").fill("walk.");
+    await page.getByLabel("hip_height", { exact: true }).fill("0.19");
+    await page.getByLabel("hip_height", { exact: true }).press("Enter");
+    await live.until(() => knee() > before + 0.2, "it bends its knees");
+    await shoot(page, "walk-numbers");
+    await page.getByLabel("hip_height", { exact: true }).fill("9");
+    await page.getByLabel("hip_height", { exact: true }).press("Enter");
+    await page.getByText("walk.hip_height: expected 0.053 to 0.848 m, got 9.").waitFor();
+    await page.getByRole("button", { name: "Reset all" }).click();
+    await live.until(() => knee() < before + 0.1, "it stands as before");
     assert.deepEqual(problems, []);
 
     world.happen("nonsense");

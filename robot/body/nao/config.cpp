@@ -15,7 +15,6 @@ namespace robot::body {
 namespace {
 
 constexpr double kGreatestOffset_deg = 20, kGreatestPixels = 5000, kGreatestControl = 1'000'000;
-constexpr double kWalkFactor = 4;  // a parameter of the walk farther from its default is a mistake
 constexpr std::size_t kMaxBytes = 65536;
 
 /// Name and value of one line of the file.
@@ -81,7 +80,7 @@ Result<void> read_walk(const Line& line, const std::string& name, nao::walk::Par
   const auto place = nao::walk::parameter_named(name);
   if (!place) return Error{"nao config: there is no '" + line.name.substr(0, 60) + "'"};
   const double usual = nao::walk::Parameters{}.*place;
-  return read_number(line, usual / kWalkFactor, usual * kWalkFactor, 1, walk.*place);
+  return read_number(line, usual / nao::walk::kParameterFactor, usual * nao::walk::kParameterFactor, 1, walk.*place);
 }
 
 Result<void> read_line(const Line& line, NaoConfig& config) {

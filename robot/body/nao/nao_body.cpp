@@ -133,7 +133,16 @@ void NaoBody::write_sensors(const nao::Report& report, std::uint64_t capture_ns)
   memory_.odometry.write(std::move(odometry), capture_ns);
 }
 
+void NaoBody::change_walk(const nao::walk::Parameters& parameters) {
+  const std::lock_guard guard(lock_);
+  changed_walk_ = parameters;
+}
+
 nao::Order NaoBody::order_after(const nao::Report& report, std::uint64_t capture_ns) {
+  {
+    const std::lock_guard guard(lock_);
+    if (changed_walk_) motion_.change_walk(*std::exchange(changed_walk_, std::nullopt));
+  }
   const auto command = memory_.motion_command.read();
   const auto game = memory_.game.read();
   const std::uint64_t said_ns = command ? command->capture_ns() : 0;

@@ -46,6 +46,9 @@ class NaoBody {
   NaoBody(const NaoBody&) = delete;
   NaoBody& operator=(const NaoBody&) = delete;
 
+  /// Walks with other parameters from the next cycle on, see Walk::change(). Any thread.
+  void change_walk(const nao::walk::Parameters& parameters);
+
   /// Returns the pose of `camera` at `capture_ns` [ns since the epoch], or nothing without joints within 50 ms of that
   /// time. Any thread.
   std::optional<nao::Transform> robot_from_camera(nao::Camera camera, std::uint64_t capture_ns) const;
@@ -81,6 +84,7 @@ class NaoBody {
 
   mutable Mutex lock_;
   std::deque<JointSample> samples_;
+  std::optional<nao::walk::Parameters> changed_walk_;  // since the last cycle
 
   std::atomic<bool> ends_ = false;
   std::thread thread_;  // last: it uses all the others

@@ -35,6 +35,9 @@ class Motion {
   Order next(const Report& report, const pb::MotionCommand* command, std::uint64_t command_age_ns,
              const pb::GameState* game);
 
+  /// Walks with other parameters, see Walk::change().
+  void change_walk(const walk::Parameters& parameters) { legs_.change(parameters); }
+
   /// Returns one sentence if the command asks for a motion that this body does not have, else an empty string.
   const std::string& refused() const { return refused_; }
 

@@ -38,6 +38,11 @@ void WalkingLegs::drive(const Report& report, const walk::Command& command, floa
   });
 }
 
+void WalkingLegs::change(const walk::Parameters& parameters) {
+  parameters_ = parameters;
+  if (walk_) walk_->change(parameters);
+}
+
 /// Moves the legs to the stand of the walk. Returns true when they are there.
 bool WalkingLegs::take_over(const Report& report, float dt) {
   if (!walk_) {
@@ -48,7 +53,7 @@ bool WalkingLegs::take_over(const Report& report, float dt) {
   if (taken_ >= kTakeOver) return true;
   taken_ += dt;
   const double part = std::min(taken_ / kTakeOver, 1.0f), smooth = part * part * (3 - 2 * part);
-  const walk::Legs stand = walk::stand(parameters_);
+  const walk::Legs stand = walk::stand(walk_->parameters());
   for_each_leg_joint([&](walk::Side side, std::size_t joint, Joint) {
     targets_[side][joint] = from_[side][joint] + smooth * (stand[side][joint] - from_[side][joint]);
   });

@@ -24,6 +24,9 @@ class WalkingLegs {
   /// unless the body stands in the mode playing.
   void drive(const Report& report, const walk::Command& command, float dt, Order& order);
 
+  /// Walks with other parameters, see Walk::change().
+  void change(const walk::Parameters& parameters);
+
   /// Reports whether the robot makes steps.
   bool steps() const { return walk_ && walk_->steps(); }
 
@@ -47,7 +50,7 @@ class WalkingLegs {
  private:
   bool take_over(const Report& report, float dt);
 
-  const walk::Parameters parameters_;
+  walk::Parameters parameters_;
   std::optional<walk::Walk> walk_;  // nothing: the legs belong to the guardian
   walk::Odometry odometry_;
   walk::Legs from_{}, targets_{};

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/nao/walk/named_parameters.h"
+
 namespace robot::nao::walk {
 namespace {
 
+constexpr double kChange = 0.5;          // [s] from one set of parameters to another
 constexpr double kLongestPhase = 1.4;    // [period] the feet move on until then
 constexpr double kLeastWeight = 1;       // [kg] both feet together, if the robot stands on the ground
 constexpr double kLifted = 0.3;          // [s] without weight: somebody has lifted it
@@ -48,9 +51,26 @@ Legs stand(const Parameters& parameters) {
 }
 
 Walk::Walk(const Parameters& parameters)
-    : parameters_(parameters), balance_(parameters_), lag_(parameters_), sag_(parameters_) {}
+    : parameters_(parameters), balance_(parameters_), lag_(parameters_), sag_(parameters_), wanted_(parameters) {}
+
+void Walk::change(const Parameters& parameters) {
+  wanted_ = parameters;
+  change_ = kChange;
+}
+
+void Walk::approach_wanted(double dt) {
+  if (change_ <= 0) return;
+  const double share = std::min(dt / change_, 1.0);
+  for (const NamedParameter& named : kNamedParameters) {
+    double& number = parameters_.*named.place;
+    number += share * (wanted_.*named.place - number);
+  }
+  change_ -= dt;
+  if (change_ <= 0) parameters_ = wanted_;
+}
 
 const Legs& Walk::tick(const Sensors& sensors, const Command& command, double dt) {
+  approach_wanted(dt);
   feel(sensors, dt);
   return_ = heading_turn(command, sensors, dt);
   const bool stood = !stepping_, lifted = lifted_ > kLifted;

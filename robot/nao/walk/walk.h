@@ -33,6 +33,11 @@ class Walk {
   /// standing robot that is pushed steps until it is steady again. A robot that is lifted stands still.
   const Legs& tick(const Sensors& sensors, const Command& command, double dt);
 
+  /// Walks with other parameters. The present ones go there evenly, within half a second: no leg jumps.
+  void change(const Parameters& parameters);
+  /// Returns the present parameters.
+  const Parameters& parameters() const { return parameters_; }
+
   /// Reports whether it makes steps.
   bool steps() const { return stepping_; }
   /// Returns the foot that swings, or swung last.
@@ -53,6 +58,7 @@ class Walk {
     double yaw = 0;  // [rad]
   };
 
+  void approach_wanted(double dt);
   void feel(const Sensors& sensors, double dt);
   void start_if_needed(const Sensors& sensors, const Command& command);
   void end_step(const Sensors& sensors, const Command& command);
@@ -71,10 +77,12 @@ class Walk {
   double kick_swing() const;
   double lift() const;
 
-  const Parameters parameters_;
+  Parameters parameters_;  // now; the next three refer to them
   Balance balance_;
   ServoLag lag_;
   HipSag sag_;
+  Parameters wanted_;
+  double change_ = 0;  // [s] until the parameters are the wanted ones
 
   // the step
   bool stepping_ = false;

@@ -208,6 +208,25 @@ TEST_F(NaoMotion, ObeysTheParametersOfTheWalk) {
   EXPECT_GT(knee_after_take_over(0.2), knee_after_take_over(0.22) + 0.1f);
 }
 
+TEST_F(NaoMotion, GoesToOtherParametersWhileItStandsOrTakesTheLegsOver) {
+  const auto knee_after = [&](int cycles) {
+    Order order;
+    for (int i = 0; i < cycles; ++i) order = next();
+    return order.position[l_knee_pitch];
+  };
+  command.mutable_walk_speed()->set_x(0.1f);
+  next();
+  motion.change_walk({.hip_height = 0.2});  // in the middle of the take-over
+  const float soon = knee_after(49);
+  command.mutable_walk_speed()->set_x(0);
+  const float low = knee_after(200);
+  EXPECT_GT(low, soon + 0.1f);
+  motion.change_walk({});
+  const float middle = knee_after(20);
+  EXPECT_LT(middle, low - 0.02f);
+  EXPECT_LT(knee_after(60), middle - 0.05f);
+}
+
 TEST_F(NaoMotion, TakesTheLegsOverWithoutAJump) {
   command.mutable_walk_speed()->set_x(0.1f);
   PerJoint<float> last = report.commanded;

@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <memory>
 #include <random>
+#include <regex>
+#include <string>
 #include <vector>
 
+#include "robot/nao/walk/named_parameters.h"
 #include "tests/sim/support/allocations.h"
 
 namespace robot::nao::walk {
@@ -240,6 +245,58 @@ TEST(Walk, TheSameInputsGiveTheSameLegs) {
   }
 }
 
+TEST(Walk, GoesToOtherParametersWithoutAJump) {
+  Parameters other;
+  for (const NamedParameter& named : kNamedParameters) other.*named.place *= 1.1;
+  for (const double speed : {0.0, 0.15}) {
+    Walk walk, usual;
+    play(walk, {.forward = speed}, 2);
+    play(usual, {.forward = speed}, 2);
+    walk.change(other);
+    const Legs first = play(walk, {.forward = speed}, kFrame).back(),
+               same = play(usual, {.forward = speed}, kFrame).back();
+    for (const Side side : {left, right})
+      for (std::size_t joint = 0; joint < kLegJoints; ++joint)
+        EXPECT_NEAR(first[side][joint], same[side][joint], 0.02) << "at " << speed << " m/s, joint " << joint;
+    play(walk, {.forward = speed}, 0.5);
+    for (const NamedParameter& named : kNamedParameters)
+      EXPECT_EQ(walk.parameters().*named.place, other.*named.place) << named.name;
+  }
+}
+
+TEST(Walk, StandsAsIfItHadBegunWithItsParameters) {
+  const Parameters lower{.hip_height = 0.2};
+  Walk walk;
+  play(walk, {}, 0.1);
+  walk.change({.hip_height = 0.25});
+  play(walk, {}, 0.2);
+  walk.change(lower);  // before it has reached the others
+  EXPECT_EQ(play(walk, {}, 1).back(), play(*std::make_unique<Walk>(lower), {}, 1).back());
+}
+
+TEST(Walk, AChangeToTheSameParametersChangesNothing) {
+  std::mt19937 random(9), again(9);
+  Walk changed, untouched;
+  for (int i = 0; i < 500; ++i) {
+    if (i % 10 == 0) changed.change({});
+    ASSERT_EQ(changed.tick(drawn(random), drawn_command(random), kFrame),
+              untouched.tick(drawn(again), drawn_command(again), kFrame));
+  }
+}
+
+TEST(Walk, TheNamedParametersSayWhatTheirHeaderSays) {
+  std::ifstream header(FORESIGHT_WALK_PARAMETERS);
+  ASSERT_TRUE(header);
+  std::vector<std::string> written, named;
+  const std::regex line(R"( *double (\w+) = [\d.]+; *// \[(.*?)\] (.*))");
+  std::smatch parts;
+  for (std::string text; std::getline(header, text);)
+    if (std::regex_match(text, parts, line)) written.push_back(parts.format("$1 [$2] $3"));
+  for (const NamedParameter& one : kNamedParameters)
+    named.push_back(std::string(one.name) + " [" + std::string(one.unit) + "] " + std::string(one.meaning));
+  EXPECT_EQ(named, written);
+}
+
 TEST(Walk, AllLegsAreFiniteWhateverTheSensorsSay) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> extreme(-1e6, 1e6);
@@ -259,7 +316,10 @@ TEST(Walk, AllocatesNothing) {
   for (int i = 0; i < 500; ++i) frames.push_back(drawn(random));
   Walk walk;
   const std::size_t before = sim::test::allocations();
-  for (const Sensors& frame : frames) walk.tick(frame, {.forward = 0.2}, kFrame);
+  for (const Sensors& frame : frames) {
+    if (&frame == &frames[250]) walk.change({.lift = 0.03});
+    walk.tick(frame, {.forward = 0.2}, kFrame);
+  }
   EXPECT_EQ(sim::test::allocations() - before, 0u);
 }
 
