@@ -63,8 +63,8 @@ Result<void> add_walk_parameters(net::Parameters& table, const nao::walk::Parame
                           .schema = memory::schema_of(*LiveParameters::descriptor())},
       clock);
   if (Result<void> added = channels.add(channel); !added) return added;
-  const auto written = channel->write_bytes(announcement(settings).SerializeAsString(), clock.now_ns());
-  if (!written) return written;
+  if (Result<void> written = channel->write_bytes(announcement(settings).SerializeAsString(), clock.now_ns()); !written)
+    return written;
   table.listen([&table, change = std::move(change)](const std::vector<std::string>& names) {
     if (std::ranges::any_of(names, [](const std::string& name) { return name.starts_with(kPrefix); }))
       change(values_in(table));

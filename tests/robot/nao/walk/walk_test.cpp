@@ -310,6 +310,21 @@ TEST(Walk, AllLegsAreFiniteWhateverTheSensorsSay) {
   }
 }
 
+TEST(Walk, AllLegsAreFiniteWhateverTheParametersSay) {
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> factor(1 / kParameterFactor, kParameterFactor);
+  Walk walk;
+  for (int i = 0; i < 20000; ++i) {
+    if (i % 50 == 0) {
+      Parameters parameters;
+      for (const NamedParameter& named : kNamedParameters) parameters.*named.place *= factor(random);
+      walk.change(parameters);
+    }
+    for (const auto& leg : walk.tick(drawn(random), drawn_command(random), kFrame))
+      for (const double angle : leg) ASSERT_TRUE(std::isfinite(angle)) << "tick " << i;
+  }
+}
+
 TEST(Walk, AllocatesNothing) {
   std::mt19937 random(8);
   std::vector<Sensors> frames;
