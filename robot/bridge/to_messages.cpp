@@ -331,7 +331,7 @@ void to_proto(const sim::World& world, const TeamNumbers& teams, pb::GroundTruth
   message.mutable_ball()->set_velocity_y(world.ball.velocity.y);
   sim::for_each_robot(world.players, [&](int robot) {
     const sim::Body& body = world.bodies[robot];
-    if (body.doing == Doing::removed) return;
+    if (!on_field(body)) return;
     pb::GroundTruth::TrueRobot& seen = *message.add_robots();
     seen.set_team(teams.of(sim::side_of(robot)));
     seen.set_player(static_cast<std::uint32_t>(sim::player_of(robot)));

@@ -65,7 +65,7 @@ void for_each_on_field(const Glance& glance, See&& see) {
   const World& world = glance.now->world;
   for_each_robot(world.players, [&](int robot) {
     const Body& body = world.bodies[robot];
-    if (side_of(robot) == Whose && body.doing != Body::Doing::removed) see(body);
+    if (side_of(robot) == Whose && on_field(body)) see(body);
   });
 }
 
@@ -95,7 +95,7 @@ float ball_error(const Glance& glance) {
     const Body& body = world.bodies[robot];
     const agent::Ball& seen = glance.now->robots[robot].beliefs.ball;
     const bool is_fresh = seen.seen != kNever && world.tick - seen.seen <= kFreshSight;
-    if (side_of(robot) != Whose || body.doing == Body::Doing::removed || !is_fresh) return;
+    if (side_of(robot) != Whose || !on_field(body) || !is_fresh) return;
     const float error = distance(turned_back(world.ball.position - body.position, body.facing), seen.position);
     if (!(least <= error)) least = error;
   });

@@ -127,7 +127,7 @@ std::string show_text(const Params& params, const State& state, const std::funct
     text += formatted("%-7s (%5.2f, %5.2f) m %4.0f deg  %-16s %-14s", name(robot).c_str(), shown(body.position.x),
                       shown(body.position.y), shown(kDegrees * body.heading), kDoing[static_cast<int>(body.doing)],
                       has_leaf ? tree->tree().leaf_words[self.mind.leaf].name.c_str() : "-");
-    if (body.doing != Body::Doing::removed) {
+    if (on_field(body)) {
       const agent::Beliefs truth = true_beliefs(state, robot);
       text += formatted(" pose %.2f m off", shown(distance(self.beliefs.pose.pose.position, truth.pose.pose.position)));
       if (self.beliefs.ball.seen != kNever)

@@ -32,7 +32,7 @@ agent::Surroundings surroundings_of(const Params& params, int robot) {
 }  // namespace
 
 bool decides(const State& state, int robot) {
-  return state.schedule.turn[robot] <= state.world.tick && state.world.bodies[robot].doing != Body::Doing::removed;
+  return state.schedule.turn[robot] <= state.world.tick && on_field(state.world.bodies[robot]);
 }
 
 std::optional<Decision> decision_in(const Params& params, const State& state, int robot) {

@@ -73,7 +73,7 @@ End play_on(const Moment& moment, int robot, int number, Tick length, std::vecto
       path.ball.push_back(state.world.ball.position);
       // one that is sent off stays where it was
       const Body& body = state.world.bodies[robot];
-      const bool is_gone = body.doing == Body::Doing::removed && !path.robot.empty();
+      const bool is_gone = !on_field(body) && !path.robot.empty();
       path.robot.push_back(is_gone ? path.robot.back() : body.position);
     }
     if (state.world.tick == begin + length || future.over()) break;

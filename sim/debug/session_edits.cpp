@@ -51,7 +51,7 @@ Result<void> Session::set_of_robot(const Words& words, State& state) const {
   const auto robot = robot_in(words, 1);
   if (!robot) return robot.failure();
   Body& body = state.world.bodies[*robot];
-  if (body.doing == Body::Doing::removed) return Error{name_of(*robot) + " is off the field"};
+  if (!on_field(body)) return Error{name_of(*robot) + " is off the field"};
   agent::Beliefs& beliefs = state.robots[*robot].beliefs;
   const field::Field& field = params().rules.field;
   const bool believes = words[2] == "believes";

@@ -145,7 +145,7 @@ const char* skill_of(const Params& params, const State& state, int robot) {
 }
 
 float error_of(RobotFact::Kind kind, const State& state, int robot) {
-  if (state.world.bodies[robot].doing == Body::Doing::removed) return agent::kUnknown;
+  if (!on_field(state.world.bodies[robot])) return agent::kUnknown;
   const agent::Beliefs& beliefs = state.robots[robot].beliefs;
   const agent::Beliefs truth = true_beliefs(state, robot);
   if (kind == RobotFact::Kind::pose_error) return distance(beliefs.pose.pose.position, truth.pose.pose.position);

@@ -22,7 +22,6 @@ Pose2 pose_in_team(const World& world, int robot, const Body& body) {
   const float turned = attack_sign(world, side_of(robot)) > 0 ? 0 : kPi;
   return {in_team(world, robot, body.position), normalized(body.heading + turned)};
 }
-bool on_field(const Body& body) { return body.doing != Body::Doing::removed; }
 
 /// A source, and some ways to change it alone.
 struct Variation {

@@ -15,8 +15,6 @@ Vec2 between(Vec2 least, Vec2 most, std::uint32_t x, std::uint32_t y) {
   return {between(least.x, most.x, x), between(least.y, most.y, y)};
 }
 
-bool is_on_field(const World& world, int robot) { return world.bodies[robot].doing != Body::Doing::removed; }
-
 /// Draws the places of ball and robots. `number` distinguishes the draws of one game.
 void draw_places(const World& least, const World& most, std::uint32_t number, World& world) {
   const auto words = [&](int robot) {
@@ -39,11 +37,11 @@ void draw_places(const World& least, const World& most, std::uint32_t number, Wo
 bool is_roomy(const World& world) {
   bool roomy = true;
   for_each_robot(world.players, [&](int robot) {
-    if (!is_on_field(world, robot)) return;
+    if (!on_field(world.bodies[robot])) return;
     const Vec2 place = world.bodies[robot].position;
     roomy &= squared_length(place - world.ball.position) >= kRoomToBall * kRoomToBall;
     for_each_robot(world.players, [&](int other) {
-      if (other < robot && is_on_field(world, other))
+      if (other < robot && on_field(world.bodies[other]))
         roomy &= squared_length(place - world.bodies[other].position) >= kRoomToRobot * kRoomToRobot;
     });
   });

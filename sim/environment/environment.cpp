@@ -17,7 +17,7 @@ namespace {
 
 /// Returns whether the robot takes part in the game, now or when its penalty is over.
 bool takes_part(const State& state, int robot) {
-  return state.world.bodies[robot].doing != Body::Doing::removed || state.book.penalised_until[robot] != kNever;
+  return on_field(state.world.bodies[robot]) || state.book.penalised_until[robot] != kNever;
 }
 
 }  // namespace
@@ -244,7 +244,7 @@ void Environment::note_active(int game) {
     const int robot = agents_[agent];
     const agent::Game told = referee::game_for(game_.params.rules, state.world, state.book, robot);
     arrays_.active[index * agents_.size() + agent] =
-        agent::plays(told) && state.world.bodies[robot].doing != Body::Doing::removed && !episodes_[index].ended;
+        agent::plays(told) && on_field(state.world.bodies[robot]) && !episodes_[index].ended;
   }
 }
 

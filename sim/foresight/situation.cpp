@@ -106,7 +106,7 @@ class Guesswork {
     doubt_.heading[robot] = guess.deviation_heading;
     if (away == 0) {
       // a body that has just returned to the field stands
-      if (body.doing == Doing::removed) body.doing = Doing::standing;
+      if (!on_field(body)) body.doing = Doing::standing;
       state_.book.penalised_until[robot] = 0;
       return;
     }
@@ -226,7 +226,7 @@ void let_others_know(Vec2 supposed_ball, int whose, State& state) {
   const World& world = state.world;
   for_each_robot(world.players, [&](int robot) {
     const Body& body = world.bodies[robot];
-    if (robot == whose || body.doing == Doing::removed) return;
+    if (robot == whose || !on_field(body)) return;
     agent::Beliefs& beliefs = state.robots[robot].beliefs;
     beliefs.pose.pose = perception::true_pose(world, robot);
     const Vec2 ball = side_of(robot) == side_of(whose) ? supposed_ball : world.ball.position;
@@ -270,7 +270,7 @@ void tell(const World& truth, Side own, Insight insight, Situation& situation) {
     const bool is_own = side_of(robot) == Side::home;  // in a situation the own side is home
     const Body& body = truth.bodies[robot_of(is_own ? own : other(own), player_of(robot))];
     if (!(is_own ? insight.own_side : insight.opponents)) return;
-    if (body.doing == Doing::removed || world.bodies[robot].doing == Doing::removed) return;
+    if (!on_field(body) || !on_field(world.bodies[robot])) return;
     world.bodies[robot] = body;
     put(world.bodies[robot], {sign * body.position, sign > 0 ? body.heading : body.heading + kPi});
     doubt.position[robot] = doubt.heading[robot] = 0;
@@ -289,7 +289,7 @@ State sample(const Params& params, const Situation& situation, RandomKey key) {
   }
   for_each_robot(world.players, [&](int robot) {
     Body& body = world.bodies[robot];
-    if (body.doing == Doing::removed) return;
+    if (!on_field(body)) return;
     const auto drawn = normals_of(key, robot);
     const Vec2 off = doubt.position[robot] * Vec2{drawn[0], drawn[1]};
     put(body, {within_border(params.rules.field, body.position + off), body.heading + doubt.heading[robot] * drawn[2]});

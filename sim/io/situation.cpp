@@ -297,7 +297,7 @@ class Scene {
     shake_ball();
     for_each_robot(world.players, [&](int robot) {
       Body& body = world.bodies[robot];
-      if (body.doing == Body::Doing::removed) return;
+      if (!on_field(body)) return;
       const Vec2 place = body.position;
       for (std::uint32_t number = 0; number < kTries; ++number) {
         const Pose2 by = offset(robot, number, robot_doubts_[robot]);
@@ -347,7 +347,7 @@ class Scene {
     bool free = squared_length(place - world.ball.position) > kRoomToBall * kRoomToBall;
     for_each_robot(world.players, [&](int other) {
       const Body& body = world.bodies[other];
-      if (other == robot || body.doing == Body::Doing::removed) return;
+      if (other == robot || !on_field(body)) return;
       if (squared_length(place - body.position) < kRoomToRobot * kRoomToRobot) free = false;
     });
     return free;

@@ -20,7 +20,7 @@ Due due_in(State& state) {
 
   // a removed robot has no turn until it enters again
   for_each_of(due.moves, [&](int robot) {
-    if (world.bodies[robot].doing != Body::Doing::removed) return;
+    if (on_field(world.bodies[robot])) return;
     state.schedule.turn[robot] = kNever;
     due.moves &= ~(1u << robot);
   });

@@ -38,13 +38,13 @@ void start_play(const Params& params, State& state) {
   book.playing_since = world.tick;
   book.stuck_at = book.last_touch_at = book.ball_before = world.ball.position;
   for_each_robot(world.players, [&](int robot) {
-    if (world.bodies[robot].doing != Body::Doing::removed) enter(params, state, robot);
+    if (on_field(world.bodies[robot])) enter(params, state, robot);
   });
 }
 
 void know_ball(State& state, Tick seen, float deviation) {
   const World& world = state.world;
-  const auto is_away = [&](int robot) { return world.bodies[robot].doing == Body::Doing::removed; };
+  const auto is_away = [&](int robot) { return !on_field(world.bodies[robot]); };
   for_each_robot(world.players, [&](int robot) {
     if (is_away(robot)) return;
     const Body& body = world.bodies[robot];

@@ -24,10 +24,6 @@
 namespace sim {
 namespace {
 
-using Doing = Body::Doing;
-
-bool on_field(const World& world, int robot) { return world.bodies[robot].doing != Doing::removed; }
-
 const Team& team_of(const Params& params, int robot) { return params.teams[static_cast<int>(side_of(robot))]; }
 
 /// Returns the models of ball and contacts. Both sides share those of the home side.
@@ -160,7 +156,7 @@ void send(const Params& params, State& state, int sender) {
   const Models& models = models_of(params, sender);
   Robot& self = state.robots[sender];
   const auto transmission = perception::transmit(models.perception, models.effects, state.world, sender);
-  self.cognition.packet = perception::packet_of(self.beliefs, self.mind, !on_field(state.world, sender), now);
+  self.cognition.packet = perception::packet_of(self.beliefs, self.mind, !on_field(state.world.bodies[sender]), now);
   self.cognition.on_air = true;
   state.schedule.lost[sender] = transmission.lost;
   state.schedule.radio[sender] = now + transmission.delay;
@@ -175,7 +171,7 @@ void talk(const Params& params, State& state, int robot) {
   if (state.robots[robot].cognition.on_air) deliver(params, state, robot);
   const bool has_turn = state.schedule.turn[robot] == now + state.schedule.lag[robot];
   if (!is_due()) return;
-  if (!has_turn && on_field(state.world, robot)) {
+  if (!has_turn && on_field(state.world.bodies[robot])) {
     state.schedule.radio[robot] = state.schedule.turn[robot];
     return;
   }

@@ -26,7 +26,7 @@ Tick anything_else(const MotionParams& params, const Mover& mover) {
   World& world = *mover.world;
   const int robot = mover.robot;
   Body& body = world.bodies[robot];
-  if (body.doing == Body::Doing::removed) return 0;
+  if (!on_field(body)) return 0;
   if (mover.command->body >= Command::Body::kick) perhaps_begin(params, *mover.command, world.tick, body);
   if (body.doing < Body::Doing::kicking) return mover.steps;
 

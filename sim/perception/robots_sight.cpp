@@ -103,7 +103,7 @@ void look_for_opponents(const PerceptionParams& params, std::span<const Look> lo
     const World& world = *look.world;
     const int first = robot_of(other(side_of(look.robot)), 1);
     const auto glance_at = [&](int opponent, std::uint32_t number) {
-      if (world.bodies[opponent].doing != Body::Doing::removed) glances[count++] = {&look, opponent, number};
+      if (on_field(world.bodies[opponent])) glances[count++] = {&look, opponent, number};
     };
     if (!has_eyes(look.body())) continue;
     if (!params.effects.limited_view) {

@@ -30,7 +30,7 @@ inline constexpr Tick kLook = kPushingUnit;
 /// Returns the time since phase or set play last changed [ticks].
 inline Tick in_phase(const Court& court) { return court.world.tick - court.book.phase_since; }
 
-inline bool on_field(const Court& court, int robot) { return court.world.bodies[robot].doing != Doing::removed; }
+inline bool on_field(const Court& court, int robot) { return on_field(court.world.bodies[robot]); }
 
 /// Returns how far a point lies ahead of the centre for a side [m]: > 0 in the opponents' half.
 inline float ahead(const Court& court, Side side, Vec2 point) { return attack_sign(court.world, side) * point.x; }

@@ -60,7 +60,7 @@ void Replay::place_robot(const Params& params, State& state, int robot) {
     return;
   }
   if (place->held) ++missing.held;
-  const bool enters = body.doing == Doing::removed;
+  const bool enters = !on_field(body);
   put(body, *place);
   body.velocity = {}, body.turn_rate = 0;
   body.doing = place->fallen ? Doing::fallen : Doing::standing;

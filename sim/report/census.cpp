@@ -27,7 +27,7 @@ void Census::look(const State& state) {
     for_each_robot(state.world.players, [&](int robot) {
       // beliefs are as old as the robot's last turn
       const bool had_turn = state.schedule.turn[robot] == before_.tick + state.schedule.lag[robot];
-      if (had_turn && before_.bodies[robot].doing != Doing::removed)
+      if (had_turn && on_field(before_.bodies[robot]))
         look_at(state, robot, figures_[static_cast<int>(side_of(robot))]);
     });
     look_at_ball(state);

@@ -50,7 +50,7 @@ void Film::add_frame(const World& world) {
   for_each_robot(world.players, [&](int robot) {
     const Body& body = world.bodies[robot];
     statistics::Robot& film = now_.robots[next++];
-    if (body.doing == Body::Doing::removed) return;
+    if (!on_field(body)) return;
     film.frames.back() = statistics::Sighting{
         .position = filmed(world, static_cast<std::uint8_t>(robot), body.position, kRobotNoise), .down = lies(body)};
   });

@@ -230,7 +230,7 @@ Shifts shifts_of(const Things& things, const Crowd& crowd, const Radii& radii, c
   }
   for (int i = 0; i < crowd.count; ++i) {
     Body& body = world.bodies[crowd.robot(i)];
-    if (body.doing != Body::Doing::removed) body.position = crowd.middle(i);
+    if (on_field(body)) body.position = crowd.middle(i);
   }
 }
 

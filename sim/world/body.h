@@ -52,6 +52,9 @@ struct Body {
   std::uint8_t moved = 0;     // tick up to which the body has moved, its lower 8 bits
 };
 
+/// Reports whether the body is on the field, and not removed from it.
+inline bool on_field(const Body& body) { return body.doing != Body::Doing::removed; }
+
 /// Reports whether the body is on the ground: fallen, or getting up.
 inline bool lies(const Body& body) {
   return body.doing == Body::Doing::fallen || body.doing == Body::Doing::getting_up;

@@ -59,7 +59,7 @@ TEST(Event, APenalisedRobotLeavesAndComesBack) {
   bool returned = false;
   for (Tick tick = 0; tick < ticks(60); ++tick) {
     step(params(), state, events);
-    returned = returned || state.world.bodies[robot].doing != Body::Doing::removed;
+    returned = returned || on_field(state.world.bodies[robot]);
   }
   EXPECT_TRUE(returned);
 }

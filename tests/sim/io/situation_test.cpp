@@ -173,7 +173,7 @@ TEST(Situation, TurnedGivesEachSideTheMomentOfTheOther) {
     const Body &was = plain.world.bodies[robot], &is = turned.world.bodies[image];
     EXPECT_EQ(is.doing, was.doing);
     EXPECT_EQ(turned.book.penalised_until[image], plain.book.penalised_until[robot]);
-    if (was.doing == Body::Doing::removed) return;
+    if (!on_field(was)) return;
     EXPECT_EQ(is.position, -was.position);
     EXPECT_NEAR(std::cos(is.heading), -std::cos(was.heading), 1e-5);
     EXPECT_NEAR(std::sin(is.heading), -std::sin(was.heading), 1e-5);
@@ -195,7 +195,7 @@ TEST(Situation, ShakingMovesAllRobotsALittleByTheGamesRandomNumbers) {
     EXPECT_NE(difference(shaken(1), shaken(2)), "");
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const World world = shaken(seed).world;
-      const auto stands = [&](int robot) { return world.bodies[robot].doing != Body::Doing::removed; };
+      const auto stands = [&](int robot) { return on_field(world.bodies[robot]); };
       EXPECT_LE(length(world.ball.position - plain.world.ball.position), 0.3f * 1.415f);
       for_each_robot(world.players, [&](int robot) {
         EXPECT_EQ(world.bodies[robot].doing, plain.world.bodies[robot].doing);
@@ -272,7 +272,7 @@ TEST(Situation, ABelievedMomentIsSavedInTheFieldsFrameWithItsDeviations) {
     EXPECT_EQ(world.home_attacks, sign);
     EXPECT_NEAR(length(world.ball.position - sign * guessed.ball.position), 0, 1e-3);
     for_each_robot(world.players, [&](int other) {
-      if (guessed.bodies[other].doing == Body::Doing::removed) return;
+      if (!on_field(guessed.bodies[other])) return;
       EXPECT_NEAR(length(world.bodies[other].position - sign * guessed.bodies[other].position), 0, 1e-3) << other;
     });
     const Json json = Json::parse(text);

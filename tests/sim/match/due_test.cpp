@@ -44,7 +44,7 @@ Due due_alone(State& state) {
     if (!moves && !talks) due.later = std::min({due.later, turn == kNever ? kNever : now + until, radio});
     if (moves || talks) due.any |= bit;
     if (talks) due.radios |= bit;
-    const bool removed = state.world.bodies[robot].doing == Body::Doing::removed;
+    const bool removed = !on_field(state.world.bodies[robot]);
     if (moves && !removed) due.moves |= bit;
     if (turn <= now && !removed) due.turns |= bit;
     if (moves && removed) turn = kNever;

@@ -192,8 +192,7 @@ TEST(Step, WithPerfectModelsBeliefsEqualTheTruth) {
     const World before = state.world;
     step(setup.params, state, events);
     test::for_each_body(before, [&](int robot, const Body& body) {
-      if (state.world.bodies[robot].doing == Body::Doing::removed || state.world.home_attacks != before.home_attacks)
-        return;
+      if (!on_field(state.world.bodies[robot]) || state.world.home_attacks != before.home_attacks) return;
       const agent::Beliefs& beliefs = state.robots[robot].beliefs;
       const float sign = attack_sign(before, side_of(robot));
       EXPECT_LT(distance(sign * beliefs.pose.pose.position, body.position), 1e-4f) << robot;

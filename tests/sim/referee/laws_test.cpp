@@ -60,7 +60,7 @@ Scene play(const field::Rules& rules, const std::vector<Step>& steps, const Symm
     }
     for_each_robot(rules.players, [&](int robot) {
       Body& body = scene.world.bodies[symmetry.of(robot)];
-      if (!acts || body.doing == Body::Doing::removed) return;
+      if (!acts || !on_field(body)) return;
       body.position = symmetry.of(step.places[robot]);
       body.facing = symmetry.of(Vec2{0.6f, 0.8f});
       body.pushing = step.pushes[robot] ? 200 : 0;
@@ -95,7 +95,7 @@ void expect_same(const Scene& one, const Scene& two, const Symmetry& symmetry) {
     const Body& a = one.world.bodies[robot];
     const Body& b = two.world.bodies[symmetry.of(robot)];
     EXPECT_EQ(a.doing, b.doing);
-    if (a.doing != Body::Doing::removed) {
+    if (on_field(a)) {
       EXPECT_EQ(symmetry.of(a.position), b.position);
     }
   });

@@ -28,7 +28,7 @@ const Recording& recorded() {
       ball.push_back({tick, state.world.ball.position, {}});
       for_each_robot(state.world.players, [&](int robot) {
         const Body& body = state.world.bodies[robot];
-        if (body.doing == Body::Doing::removed) return;
+        if (!on_field(body)) return;
         robots[robot].push_back({tick, body.position, body.heading, lies(body)});
       });
       step(params(), state, events);
@@ -47,7 +47,7 @@ void expect_as_recorded(const State& state, Side side) {
     if (side_of(robot) != side) return;
     const auto place = recorded().robots[static_cast<std::size_t>(robot)].at(kFrom + state.world.tick);
     const Body& body = state.world.bodies[robot];
-    ASSERT_EQ(place.has_value(), body.doing != Body::Doing::removed) << robot << " at " << state.world.tick;
+    ASSERT_EQ(place.has_value(), on_field(body)) << robot << " at " << state.world.tick;
     if (!place) return;
     EXPECT_EQ(body.position, place->position) << robot << " at " << state.world.tick;
     EXPECT_EQ(body.heading, place->heading) << robot << " at " << state.world.tick;
@@ -110,7 +110,7 @@ TEST(Replay, ARobotWithoutDataStandsThenIsAbsentAndComesBack) {
   referee::Events events;
   for (Tick tick = 0; tick < 250; ++tick) {
     const bool away = tick > 49 + kBridged && tick < 200;
-    EXPECT_EQ(state.world.bodies[robot].doing == Body::Doing::removed, away) << tick;
+    EXPECT_EQ(!on_field(state.world.bodies[robot]), away) << tick;
     step(params(), state, events);
     replay.place(params(), state);
   }

@@ -26,7 +26,7 @@ State begun(const Params& params, std::uint64_t seed);
 template <class See>
 void for_each_body(const World& world, See&& see) {
   for_each_robot(world.players, [&](int robot) {
-    if (world.bodies[robot].doing != Body::Doing::removed) see(robot, world.bodies[robot]);
+    if (on_field(world.bodies[robot])) see(robot, world.bodies[robot]);
   });
 }
 

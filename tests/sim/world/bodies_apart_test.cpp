@@ -15,7 +15,7 @@ void part(World& world) {
   keep_bodies_apart(kField, kContact, crowd, world);
   for (int i = 0; i < crowd.count; ++i) {
     const Body& body = world.bodies[crowd.robot(i)];
-    if (body.doing != Body::Doing::removed) {
+    if (on_field(body)) {
       EXPECT_EQ(crowd.middle(i), body.position);
     }
   }
@@ -28,10 +28,10 @@ float overlap_in(const World& world) {
   float worst = 0;
   for (int i = 0; i < kMaxRobots; ++i) {
     const Body& body = world.bodies[i];
-    if (body.doing == Body::Doing::removed) continue;
+    if (!on_field(body)) continue;
     for (int j = i + 1; j < kMaxRobots; ++j) {
       const Body& other = world.bodies[j];
-      if (other.doing == Body::Doing::removed) continue;
+      if (!on_field(other)) continue;
       worst = std::max(worst, radius_of(body) + radius_of(other) - distance(body.position, other.position));
     }
     for (int post = 0; post < field::kPosts; ++post)
@@ -94,9 +94,9 @@ TEST(BodiesApart, ARobotWithoutOverlapStaysToTheBit) {
       const Body &body = before.bodies[robot], &after = world.bodies[robot];
       float gap = 1e6f;
       for (int other = 0; other < kMaxRobots; ++other)
-        if (other != robot && before.bodies[other].doing != Body::Doing::removed)
+        if (other != robot && on_field(before.bodies[other]))
           gap = std::min(gap, distance(before.bodies[other].position, body.position));
-      if (body.doing == Body::Doing::removed || gap > 1.5f) {
+      if (!on_field(body) || gap > 1.5f) {
         EXPECT_EQ(body.position, after.position);
       }
     }
@@ -148,7 +148,7 @@ constexpr float kUndecided = 0.00001f;  // [m] from that gap, rounding decides
 /// Returns the gap between a body and another one on the field [m].
 float gap_between(const World& world, int robot, int other) {
   const Body &first = world.bodies[robot], &second = world.bodies[other];
-  if (robot == other || first.doing == Body::Doing::removed || second.doing == Body::Doing::removed) return 1e6f;
+  if (robot == other || !on_field(first) || !on_field(second)) return 1e6f;
   return distance(first.position, second.position) - radius_of(first) - radius_of(second);
 }
 

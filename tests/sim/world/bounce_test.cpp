@@ -25,7 +25,7 @@ void roll_and_bounce(World& world, const Effects& effects = kIdeal) {
 float gap_to_robots(const World& world) {
   float gap = 1e6f;
   for (const Body& body : world.bodies)
-    if (body.doing != Body::Doing::removed) gap = std::min(gap, distance(body.position, world.ball.position));
+    if (on_field(body)) gap = std::min(gap, distance(body.position, world.ball.position));
   return gap;
 }
 
