@@ -61,22 +61,22 @@ Result<void> run_nao(const RobotOptions& options) {
   }
 
   const std::string robot = robot_named_by(options).text();
+  const auto begin = [&](memory::Memory& memory, const SessionClock& clock,
+                         Runtime& runtime) -> Result<std::shared_ptr<void>> {
+    const auto made = std::make_shared<BodyAndCameras>(nao, *config, memory, clock);
+    if (Result<void> started = made->body.start(); !started) return started.failure();
+    if (Result<void> started = made->cameras.start(); !started) return started.failure();
+    const auto change = [weak = std::weak_ptr(made)](const nao::walk::Parameters& walk) {
+      if (const auto alive = weak.lock()) alive->body.change_walk(walk);
+    };
+    const Result<void> added =
+        add_walk_parameters(runtime.parameters(), config->walk, robot, runtime.channels(), clock, change);
+    if (!added) return added.failure();
+    return std::shared_ptr<void>(made);
+  };
   return run_attached(options, {.objects = {std::begin(kOwnObjects), std::end(kOwnObjects)},
                                 .add_services = [&](net::Services& services) { add_sit_and_soft(nao.link, services); },
-                                .begin = [&](memory::Memory& memory, const SessionClock& clock,
-                                             Runtime& runtime) -> Result<std::shared_ptr<void>> {
-                                  const auto made = std::make_shared<BodyAndCameras>(nao, *config, memory, clock);
-                                  if (Result<void> started = made->body.start(); !started) return started.failure();
-                                  if (Result<void> started = made->cameras.start(); !started) return started.failure();
-                                  const auto change = [weak = std::weak_ptr(made)](const nao::walk::Parameters& walk) {
-                                    if (const auto alive = weak.lock()) alive->body.change_walk(walk);
-                                  };
-                                  if (Result<void> added = add_walk_parameters(
-                                          runtime.parameters(), config->walk, robot, runtime.channels(), clock, change);
-                                      !added)
-                                    return added.failure();
-                                  return std::shared_ptr<void>(made);
-                                }});
+                                .begin = begin});
 }
 
 }  // namespace robot::app
