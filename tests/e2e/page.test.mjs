@@ -151,7 +151,17 @@ test("rates show the received messages and the counts of the recording's server"
     // a busy page may receive the server's count before the first joints
     return row?.Sequence === String(count) && Number(row.Received) >= 1 && row;
   }, "the server's count, and joints");
-  assert.deepEqual([joints.Schema, joints.Dropped], ["foresight.Joints", "0"]);
+  assert.equal(joints.Schema, "foresight.Joints");
+  // a busy page is too slow for some; nothing else loses any
+  const head = page.getByRole("rowheader", { name: "joints", exact: true });
+  const dropped = page
+    .getByRole("row")
+    .filter({ has: head })
+    .getByTitle(/dropped for viewers/);
+  assert.match(
+    await dropped.getAttribute("title"),
+    /^\d+ dropped for viewers, 0 lost in recording, 0 within the robot$/,
+  );
   assert.ok(Number(joints.Received) <= count); // only messages since the page subscribed
   await until(
     async () => (await rates(page, "camera_top/jpeg"))["Rate [Hz]"] === "not shown",
