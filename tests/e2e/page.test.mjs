@@ -126,11 +126,12 @@ test("the tree shows each field as the recording holds it; search finds fields b
   assert.deepEqual(problems, []);
 });
 
+const headOf = (page, object) => page.getByRole("rowheader", { name: object, exact: true });
+const rowOf = (page, object) => page.getByRole("row").filter({ has: headOf(page, object) });
 /** The texts of a row of the table of channels, by the column's head. */
 async function rates(page, object) {
-  const head = page.getByRole("rowheader", { name: object, exact: true });
-  const table = page.getByRole("table").filter({ has: head });
-  const row = page.getByRole("row").filter({ has: head });
+  const table = page.getByRole("table").filter({ has: headOf(page, object) });
+  const row = rowOf(page, object);
   return until(async () => {
     const heads = await table.locator("thead th").allTextContents();
     const cells = await row.locator("th, td").allTextContents();
@@ -153,15 +154,10 @@ test("rates show the received messages and the counts of the recording's server"
   }, "the server's count, and joints");
   assert.equal(joints.Schema, "foresight.Joints");
   // a busy page is too slow for some; nothing else loses any
-  const head = page.getByRole("rowheader", { name: "joints", exact: true });
-  const dropped = page
-    .getByRole("row")
-    .filter({ has: head })
-    .getByTitle(/dropped for viewers/);
-  assert.match(
-    await dropped.getAttribute("title"),
-    /^\d+ dropped for viewers, 0 lost in recording, 0 within the robot$/,
-  );
+  const [dropped, where] = await rowOf(page, "joints")
+    .getByTitle(/dropped for viewers/)
+    .evaluate(({ textContent, title }) => [textContent.trim(), title]);
+  assert.equal(where, `${dropped} dropped for viewers, 0 lost in recording, 0 within the robot`);
   assert.ok(Number(joints.Received) <= count); // only messages since the page subscribed
   await until(
     async () => (await rates(page, "camera_top/jpeg"))["Rate [Hz]"] === "not shown",
