@@ -18,7 +18,6 @@ namespace {
 using foresight::LiveParameter;
 using foresight::LiveParameters;
 using nao::walk::kNamedParameters;
-using nao::walk::kParameterFactor;
 using nao::walk::NamedParameter;
 
 constexpr std::string_view kPrefix = "walk.";
@@ -32,14 +31,15 @@ std::string sentence(std::string_view words) {
 LiveParameters announcement(const nao::walk::Parameters& settings) {
   LiveParameters all;
   for (const NamedParameter& named : kNamedParameters) {
-    const double usual = nao::walk::Parameters{}.*named.place, present = settings.*named.place;
+    const double present = settings.*named.place;
+    const auto [low, high] = nao::walk::range_of(named.place);
     LiveParameter& one = *all.add_parameter();
     one.set_name(std::string(named.name));
     one.set_type(LiveParameter::TYPE_NUMBER);
     one.set_number(present);
     one.set_initial_number(present);
-    one.set_min(usual / kParameterFactor);
-    one.set_max(usual * kParameterFactor);
+    one.set_min(low);
+    one.set_max(high);
     if (named.unit != "0..1") one.set_unit(std::string(named.unit));
     one.set_description(sentence(named.meaning));
   }

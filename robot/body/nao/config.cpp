@@ -79,8 +79,8 @@ Result<void> read_camera(const Line& line, const std::string& name, nao::CameraS
 Result<void> read_walk(const Line& line, const std::string& name, nao::walk::Parameters& walk) {
   const auto place = nao::walk::parameter_named(name);
   if (!place) return Error{"nao config: there is no '" + line.name.substr(0, 60) + "'"};
-  const double usual = nao::walk::Parameters{}.*place;
-  return read_number(line, usual / nao::walk::kParameterFactor, usual * nao::walk::kParameterFactor, 1, walk.*place);
+  const auto [low, high] = nao::walk::range_of(place);
+  return read_number(line, low, high, 1, walk.*place);
 }
 
 Result<void> read_line(const Line& line, NaoConfig& config) {

@@ -15,8 +15,10 @@ struct NamedParameter {
   std::string_view meaning;  // the words of parameters.h, for people
 };
 
-/// A value farther than this factor from its default is a mistake.
-inline constexpr double kParameterFactor = 4;
+/// Values from `low` to `high`, both included.
+struct ParameterRange {
+  double low, high;
+};
 
 inline constexpr NamedParameter kNamedParameters[] = {
     {"period", &Parameters::period, "s", "planned duration of a step; B-Human have 0.25 s, HULKs 0.235 s"},
@@ -102,6 +104,12 @@ constexpr double Parameters::*parameter_named(std::string_view name) {
   for (const NamedParameter& known : kNamedParameters)
     if (known.name == name) return known.place;
   return nullptr;
+}
+
+/// Returns the values that a person may choose: a quarter of the default to four times that. Others are mistakes.
+constexpr ParameterRange range_of(double Parameters::*place) {
+  const double usual = Parameters{}.*place;
+  return {usual / 4, usual * 4};
 }
 
 static_assert(sizeof(Parameters) == std::size(kNamedParameters) * sizeof(double), "each parameter has a name");

@@ -312,12 +312,14 @@ TEST(Walk, AllLegsAreFiniteWhateverTheSensorsSay) {
 
 TEST(Walk, AllLegsAreFiniteWhateverTheParametersSay) {
   std::mt19937 random(10);
-  std::uniform_real_distribution<double> factor(1 / kParameterFactor, kParameterFactor);
   Walk walk;
   for (int i = 0; i < 20000; ++i) {
     if (i % 50 == 0) {
       Parameters parameters;
-      for (const NamedParameter& named : kNamedParameters) parameters.*named.place *= factor(random);
+      for (const NamedParameter& named : kNamedParameters) {
+        const auto [low, high] = range_of(named.place);
+        parameters.*named.place = std::uniform_real_distribution<double>(low, high)(random);
+      }
       walk.change(parameters);
     }
     for (const auto& leg : walk.tick(drawn(random), drawn_command(random), kFrame))
