@@ -44,9 +44,8 @@ void start_play(const Params& params, State& state) {
 
 void know_ball(State& state, Tick seen, float deviation) {
   const World& world = state.world;
-  const auto is_away = [&](int robot) { return !on_field(world.bodies[robot]); };
   for_each_robot(world.players, [&](int robot) {
-    if (is_away(robot)) return;
+    if (!on_field(world.bodies[robot])) return;
     const Body& body = world.bodies[robot];
     agent::Ball& ball = state.robots[robot].beliefs.ball;
     ball = {};
@@ -56,7 +55,7 @@ void know_ball(State& state, Tick seen, float deviation) {
     ball.seen = seen;
   });
   for_each_robot(world.players, [&](int sender) {
-    if (is_away(sender)) return;
+    if (!on_field(world.bodies[sender])) return;
     const agent::Mate packet =
         perception::packet_of(state.robots[sender].beliefs, state.robots[sender].mind, false, world.tick);
     for_each_robot(world.players, [&](int receiver) {
